@@ -1,0 +1,18 @@
+# Warnings are errors, and the sanitizers of the preset: for every target of this tree.
+add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Says only that a 32-bit ABI changed in gcc 7; nothing here crosses that border.
+  add_compile_options(-Wno-psabi)
+  # Designated initialisers name what differs from the defaults; the rest is meant.
+  add_compile_options(-Wno-missing-field-initializers)
+else()
+  add_compile_options(-Wno-missing-field-initializers -Wno-missing-designated-field-initializers
+                      -Wno-unknown-warning-option)
+endif()
+if(RAYMARCH_SANITIZE)
+  add_compile_options(-fsanitize=${RAYMARCH_SANITIZE} -fno-omit-frame-pointer
+                      -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${RAYMARCH_SANITIZE})
+endif()
+add_compile_definitions(RAYMARCH_VERSION="${PROJECT_VERSION}")
+include_directories(${PROJECT_SOURCE_DIR})

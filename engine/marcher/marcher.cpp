@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "engine/marcher/marcher.hpp"
+
+#include "engine/marcher/frame.hpp"
+#include "engine/marcher/ray_generator.hpp"
+#include "engine/marcher/ray_marcher.hpp"
+#include "engine/marcher/shading.hpp"
+#include "engine/marcher/surface_vectors.hpp"
+
+#include <algorithm>
+
+namespace raymarch::engine::marcher
+{
+
+std::uint64_t draw_row(std::span<const std::uint32_t> words, RowOf row,
+                       std::span<std::uint8_t> pixels) noexcept
+{
+    const Frame frame = latch(words);
+    const SceneRow& scene = scene_row(frame.scene);
+    std::uint64_t queries = 0;
+    for (std::uint16_t x = 0; x < row.size.width; ++x) {
+        const Point direction = ray_direction(frame, row.size, x, row.y);
+        const March ray = march(frame.eye, direction, scene.distance);
+        queries += static_cast<std::uint64_t>(ray.queries);
+        std::array<std::uint8_t, 3> colour{}; // a miss is black
+        if (ray.hit) {
+            const Point normal = surface_normal(ray.point, scene.distance);
+            const Point light = light_direction(ray.point, frame.light);
+            colour = shade(frame.colour, brightness(normal, light));
+        }
+        std::ranges::copy(colour, pixels.begin() + std::ptrdiff_t{x} * 3);
+    }
+    return queries * scene.clock_cycles;
+}
+
+} // namespace raymarch::engine::marcher

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The registry of models: one line an accelerator, beside protocol/accelerators.hpp.
+#pragma once
+
+#include "engine/marcher/marcher.hpp"
+#include "engine/model.hpp"
+#include "protocol/accelerators.hpp"
+
+#include <array>
+
+namespace raymarch::engine
+{
+
+inline constexpr std::array models = {
+    Model{&protocol::marcher::description, marcher::draw_row},
+};
+
+/// The model of a description that stands in protocol::accelerators.
+[[nodiscard]] constexpr const Model& model_of(const protocol::Accelerator& description) noexcept
+{
+    for (const Model& model : models)
+        if (model.description == &description)
+            return model;
+    return models[0];
+}
+
+} // namespace raymarch::engine

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The registry of descriptions: one line an accelerator.
+#pragma once
+
+#include "protocol/accelerators/marcher.hpp"
+#include "protocol/parameters.hpp"
+
+namespace raymarch::protocol
+{
+
+inline constexpr std::array accelerators = {
+    &marcher::description,
+};
+
+/// What is active where neither the hardware nor the user says otherwise.
+inline constexpr const Accelerator& default_accelerator = *accelerators[0];
+
+/// The description of that name (any case), or nullptr.
+[[nodiscard]] constexpr const Accelerator* find_accelerator(std::string_view name) noexcept
+{
+    for (const Accelerator* accelerator : accelerators)
+        if (equal_ignoring_case(accelerator->name, name))
+            return accelerator;
+    return nullptr;
+}
+
+/// The description of CAPABILITY's kind, or nullptr.
+[[nodiscard]] constexpr const Accelerator* find_accelerator(std::uint8_t kind) noexcept
+{
+    for (const Accelerator* accelerator : accelerators)
+        if (accelerator->kind == kind)
+            return accelerator;
+    return nullptr;
+}
+
+} // namespace raymarch::protocol

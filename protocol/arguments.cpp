@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/arguments.hpp"
+
+#include "protocol/quantizer.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+namespace raymarch::protocol
+{
+namespace
+{
+
+using Triple = std::array<double, 3>;
+
+Fault argument_fault(Text at, std::string_view allowed = {}) noexcept
+{
+    return {.code = ErrorCode::Argument, .column = at.column, .allowed = allowed};
+}
+
+tl::expected<double, Fault> read_number(Text text, const ArgumentRange& range) noexcept
+{
+    const auto exact = parse_decimal(text.bytes);
+    if (!exact || compare(*exact, *parse_decimal(range.min)) < 0 ||
+        compare(*exact, *parse_decimal(range.max)) > 0)
+        return tl::unexpected(argument_fault(text, range.allowed));
+    std::string_view digits = text.bytes;
+    if (digits.starts_with('+')) // the grammar allows it, from_chars does not
+        digits.remove_prefix(1);
+    double value = 0; // what from_chars leaves when the number is too small for a double
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return value;
+}
+
+/// To the nearest code, held inside the format.
+std::int64_t nearest_code(const Parameter& parameter, double value) noexcept
+{
+    const double code = std::nearbyint(std::ldexp(value, parameter.format.fraction_bits));
+    return std::clamp(static_cast<std::int64_t>(code), parameter.format.min_code(),
+                      parameter.format.max_code());
+}
+
+void set_triple(const Accelerator& accelerator, const std::array<ParameterIndex, 3>& where,
+                const Triple& values, State& state) noexcept
+{
+    for (std::size_t i = 0; i < 3; ++i)
+        state.codes[where[i]] = nearest_code(accelerator.parameters[where[i]], values[i]);
+}
+
+void set_orbit(const Accelerator& accelerator, double yaw_degrees, double pitch_degrees,
+               State& state) noexcept
+{
+    constexpr double radians = std::numbers::pi / 180.0;
+    const double yaw = std::fmod(yaw_degrees, 360.0) * radians;
+    const double pitch = pitch_degrees * radians;
+    const Triple forward = {std::cos(pitch) * std::sin(yaw), std::sin(pitch),
+                            std::cos(pitch) * std::cos(yaw)};
+    const Triple right = {std::cos(yaw), 0.0, -std::sin(yaw)};
+    const Triple up = {forward[1] * right[2] - forward[2] * right[1],
+                       forward[2] * right[0] - forward[0] * right[2],
+                       forward[0] * right[1] - forward[1] * right[0]};
+    set_triple(accelerator, accelerator.camera->forward, forward, state);
+    set_triple(accelerator, accelerator.camera->right, right, state);
+    set_triple(accelerator, accelerator.camera->up, up, state);
+}
+
+void set_hue(const Accelerator& accelerator, double hue, State& state) noexcept
+{
+    const double sextant = std::floor(hue * 6.0);
+    const double rising = hue * 6.0 - sextant;
+    const double falling = 1.0 - rising;
+    const std::array<Triple, 6> wheel = {{{1, rising, 0},
+                                          {falling, 1, 0},
+                                          {0, 1, rising},
+                                          {0, falling, 1},
+                                          {rising, 0, 1},
+                                          {1, 0, falling}}};
+    set_triple(accelerator, accelerator.colour->channels,
+               wheel[static_cast<std::size_t>(sextant) % wheel.size()], state);
+}
+
+} // namespace
+
+std::optional<Fault> apply_view(const Accelerator& accelerator, Text words, State& state) noexcept
+{
+    if (!accelerator.camera)
+        return argument_fault(words, "this accelerator has no orbit camera");
+    Text rest = words;
+    const Text yaw_text = take_until(rest, ',').text.trimmed();
+    const Piece pitch_piece = take_until(rest, ',');
+    const Text pitch_text = pitch_piece.text.trimmed();
+    const Text zoom_text = rest.trimmed();
+
+    const auto yaw = read_number(yaw_text, yaw_range);
+    if (!yaw)
+        return yaw.error();
+    const auto pitch = read_number(pitch_text, pitch_range);
+    if (!pitch)
+        return pitch.error();
+    const ParameterIndex zoom = accelerator.camera->zoom;
+    const auto zoom_code = quantize(accelerator.parameters[zoom], zoom_text.bytes);
+    if (!zoom_code) {
+        Fault fault = argument_fault(zoom_text);
+        fault.parameter = zoom; // so that the reply tells its range
+        return fault;
+    }
+    set_orbit(accelerator, *yaw, *pitch, state);
+    state.codes[zoom] = *zoom_code;
+    return std::nullopt;
+}
+
+std::optional<Fault> apply_hue(const Accelerator& accelerator, Text words, State& state) noexcept
+{
+    if (!accelerator.colour)
+        return argument_fault(words, "this accelerator has no colour to set by hue");
+    const auto hue = read_number(words, hue_range);
+    if (!hue)
+        return hue.error();
+    set_hue(accelerator, *hue, state);
+    return std::nullopt;
+}
+
+void randomise(const Accelerator& accelerator, std::string_view group, std::mt19937_64& random,
+               State& state) noexcept
+{
+    const auto in_group = [&](std::size_t i) {
+        return group.empty() || accelerator.parameters[i].group == group;
+    };
+    for (std::size_t i = 0; i < accelerator.parameters.size(); ++i) {
+        const Parameter& parameter = accelerator.parameters[i];
+        if (in_group(i))
+            state.codes[i] = std::uniform_int_distribution(
+                parameter.min_scaled,
+                std::min(parameter.max_scaled, parameter.format.max_code()))(random);
+    }
+    if (accelerator.camera && in_group(accelerator.camera->zoom)) {
+        const double yaw = std::uniform_real_distribution(0.0, 360.0)(random);
+        // Points spread evenly over a sphere have an evenly spread sine of pitch; short of the poles.
+        const double sine = std::uniform_real_distribution(-0.999, 0.999)(random);
+        const double pitch = std::asin(sine) * 180.0 / std::numbers::pi;
+        set_orbit(accelerator, yaw, pitch, state);
+    }
+    if (accelerator.colour && in_group(accelerator.colour->channels[0]))
+        set_hue(accelerator, std::uniform_real_distribution(0.0, 1.0)(random), state);
+}
+
+void reset(const Accelerator& accelerator, std::string_view group, State& state) noexcept
+{
+    for (std::size_t i = 0; i < accelerator.parameters.size(); ++i)
+        if (group.empty() || accelerator.parameters[i].group == group)
+            state.codes[i] = accelerator.parameters[i].initial_code;
+}
+
+std::optional<std::string_view> find_group(const Accelerator& accelerator,
+                                           std::string_view name) noexcept
+{
+    for (const Parameter& parameter : accelerator.parameters)
+        if (equal_ignoring_case(parameter.group, name))
+            return parameter.group;
+    return std::nullopt;
+}
+
+} // namespace raymarch::protocol

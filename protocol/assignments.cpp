@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/assignments.hpp"
+
+#include "protocol/quantizer.hpp"
+
+#include <algorithm>
+
+namespace raymarch::protocol
+{
+namespace
+{
+
+/// Keys are letters; where a table has rows ("S2.X"), digits and dots may follow the first letter.
+bool is_key(const Accelerator& accelerator, std::string_view key) noexcept
+{
+    const bool has_rows = std::ranges::any_of(accelerator.parameters, [](const Parameter& parameter) {
+        return parameter.key.find('.') != std::string_view::npos;
+    });
+    return !key.empty() && is_letter(key[0]) && std::ranges::all_of(key, [&](char c) {
+        return is_letter(c) || (has_rows && (detail::is_digit(c) || c == '.'));
+    });
+}
+
+tl::expected<std::int64_t, ErrorCode> read_value(const Parameter& parameter,
+                                                 std::string_view text) noexcept
+{
+    if (!parameter.is_choice())
+        return quantize(parameter, text);
+    if (const auto code = find_choice(parameter, text))
+        return *code;
+    return tl::unexpected(ErrorCode::Object);
+}
+
+} // namespace
+
+std::optional<Fault> read_assignments(const Accelerator& accelerator, Text text, State& state,
+                                      ParameterSet& given) noexcept
+{
+    Text rest = text.trimmed();
+    std::size_t guess = 0;
+    for (bool more = true; more;) {
+        const Piece pair = take_until(rest, ',');
+        more = pair.found;
+        Text value = pair.text;
+        const Piece before_equals = take_until(value, '=');
+        const Text key = before_equals.text.trimmed();
+        value = value.trimmed();
+
+        if (!before_equals.found || !is_key(accelerator, key.bytes))
+            return Fault{.code = ErrorCode::Syntax, .column = key.column};
+        const auto index = find_parameter(accelerator.parameters, key.bytes, guess);
+        if (!index)
+            return Fault{.code = ErrorCode::UnknownKey, .column = key.column, .word = key.bytes};
+        if (given[*index])
+            return Fault{
+                .code = ErrorCode::DuplicateKey, .column = key.column, .parameter = index};
+
+        const auto code = read_value(accelerator.parameters[*index], value.bytes);
+        if (!code)
+            return Fault{.code = code.error(), .column = value.column, .parameter = index};
+        state.codes[*index] = *code;
+        given.set(*index);
+        guess = *index + 1U;
+    }
+    return std::nullopt;
+}
+
+std::optional<Fault> read_frame(const Accelerator& accelerator, Text text, State& state) noexcept
+{
+    ParameterSet given;
+    if (auto fault = read_assignments(accelerator, text, state, given))
+        return fault;
+    if (given.count() == accelerator.parameters.size())
+        return std::nullopt;
+    Fault fault{.code = ErrorCode::MissingKey};
+    for (std::size_t i = 0; i < accelerator.parameters.size(); ++i)
+        fault.missing.set(i, !given[i]);
+    return fault;
+}
+
+bool basis_is_orthonormal(const Accelerator& accelerator, const State& state) noexcept
+{
+    if (!accelerator.camera)
+        return true;
+    const OrbitCamera& camera = *accelerator.camera;
+    const auto dot = [&](const auto& a, const auto& b) {
+        std::int64_t sum = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            sum += state.codes[a[i]] * state.codes[b[i]];
+        return sum;
+    };
+    // Codes have f fraction bits, their products 2f; 1.01^2 and 0.99^2 in ten-thousandths.
+    const int f = accelerator.parameters[camera.forward[0]].format.fraction_bits;
+    const std::int64_t one = std::int64_t{1} << (2 * f);
+    const auto unit_length = [&](const auto& a) {
+        const std::int64_t squared = dot(a, a) * 10'000;
+        return squared >= 9801 * one && squared <= 10'201 * one;
+    };
+    const auto right_angle = [&](const auto& a, const auto& b) {
+        const std::int64_t cosine = dot(a, b) * 100;
+        return cosine >= -one && cosine <= one;
+    };
+    return unit_length(camera.forward) && unit_length(camera.right) && unit_length(camera.up) &&
+           right_angle(camera.forward, camera.right) && right_angle(camera.forward, camera.up) &&
+           right_angle(camera.right, camera.up);
+}
+
+} // namespace raymarch::protocol

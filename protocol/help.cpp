@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/help.hpp"
+
+#include "protocol/commands.hpp"
+#include "protocol/dequantizer.hpp"
+#include "protocol/errors.hpp"
+
+namespace raymarch::protocol
+{
+namespace
+{
+
+void write_command(ReplyWriter& reply, const CommandRow& row) noexcept
+{
+    reply << "# " << row.name;
+    if (!row.arguments.empty())
+        reply << ' ' << row.arguments;
+    reply << " : " << row.summary;
+    reply.end_line();
+}
+
+/// The groups of the table, each once, in table order.
+void write_groups(ReplyWriter& reply, const Accelerator& accelerator) noexcept
+{
+    reply << "# GROUP is";
+    std::string_view last;
+    for (const Parameter& parameter : accelerator.parameters) {
+        if (parameter.group != last)
+            reply << ' ' << parameter.group;
+        last = parameter.group;
+    }
+    reply.end_line();
+}
+
+void write_parameter(ReplyWriter& reply, const Parameter& parameter) noexcept
+{
+    reply << "# " << parameter.key << " : " << parameter.meaning << "; ";
+    write_allowed(reply, parameter);
+    reply << "; default " << parameter.initial;
+    reply.end_line();
+}
+
+void write_everything(ReplyWriter& reply, const Accelerator& accelerator) noexcept
+{
+    reply << "# A frame is KEY=VALUE,... with all of";
+    for (const Parameter& parameter : accelerator.parameters)
+        reply << ' ' << parameter.key;
+    reply << "; any other line is a command:";
+    reply.end_line();
+    for (const CommandRow& row : commands)
+        write_command(reply, row);
+    write_groups(reply, accelerator);
+    reply << "# HELP with a command, a key or an error code tells more of it";
+    reply.end_line();
+}
+
+} // namespace
+
+bool write_help(ReplyWriter& reply, const Accelerator& accelerator, std::string_view word) noexcept
+{
+    if (word.empty()) {
+        write_everything(reply, accelerator);
+        return true;
+    }
+    if (const CommandRow* row = find_command(word)) {
+        write_command(reply, *row);
+        if (row->arguments.find("GROUP") != std::string_view::npos)
+            write_groups(reply, accelerator);
+        return true;
+    }
+    if (const auto index = find_parameter(accelerator.parameters, word)) {
+        write_parameter(reply, accelerator.parameters[*index]);
+        return true;
+    }
+    for (const ErrorRow& row : errors) {
+        if (equal_ignoring_case(row.name, word)) {
+            reply << "# " << row.name << " : " << row.meaning;
+            reply.end_line();
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace raymarch::protocol

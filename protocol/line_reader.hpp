@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Byte chunks to lines. Any chunking of the same bytes gives the same lines.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace raymarch::protocol
+{
+
+/// The longest line, without LF and without the one CR before it.
+inline constexpr std::size_t max_line_length = 1024;
+
+/// One line without its ending. Views point into the reader or into the bytes given to it, and live
+/// until the next call.
+struct Line
+{
+    std::string_view bytes;
+    bool too_long = false; ///< the line had to be dropped; `bytes` is empty
+};
+
+/// Collects bytes until a line is complete. An over-long line is reported once, as soon as it is
+/// known to be one, and everything up to its LF is dropped.
+class LineReader
+{
+  public:
+    /// The next complete line; takes what it used from the front of `bytes`. Nothing when `bytes`
+    /// is used up and the line still wants more.
+    [[nodiscard]] std::optional<Line> next(std::string_view& bytes) noexcept;
+
+    /// The unfinished line, if there is one, as the end of a file completes it.
+    [[nodiscard]] std::optional<Line> finish() noexcept;
+
+    /// Forgets an unfinished line: the other side hung up.
+    void reset() noexcept;
+
+    /// How many bytes of an unfinished line are held.
+    [[nodiscard]] std::size_t pending() const noexcept { return size_; }
+
+  private:
+    [[nodiscard]] Line complete(std::string_view bytes) noexcept;
+
+    std::array<char, max_line_length + 1> buffer_{}; // one more for the CR
+    std::size_t size_ = 0;
+    bool dropping_ = false;
+};
+
+} // namespace raymarch::protocol

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/request.hpp"
+
+#include "protocol/checksum.hpp"
+
+#include <algorithm>
+
+namespace raymarch::protocol
+{
+namespace
+{
+
+constexpr std::size_t mark_length = 3; // *HH
+
+bool is_allowed(char c) noexcept
+{
+    return (c >= 0x20 && c <= 0x7E) || c == '\t';
+}
+
+std::string_view without_trailing_blanks(std::string_view bytes) noexcept
+{
+    while (!bytes.empty() && is_blank(bytes.back()))
+        bytes.remove_suffix(1);
+    return bytes;
+}
+
+/// The value of the two hex digits of a mark.
+std::optional<std::uint8_t> mark_value(std::string_view mark) noexcept
+{
+    const auto high = hex_value(mark[1]);
+    const auto low = hex_value(mark[2]);
+    if (!high || !low)
+        return std::nullopt;
+    return static_cast<std::uint8_t>(*high << 4 | *low);
+}
+
+Request faulty(Request request, Fault fault) noexcept
+{
+    request.kind = Request::Kind::Faulty;
+    request.fault = fault;
+    return request;
+}
+
+/// Cuts the mark off `request.text`, or says what is wrong with it.
+std::optional<Fault> check_mark(Request& request, bool require_checksum) noexcept
+{
+    const std::string_view bytes = without_trailing_blanks(request.text.bytes);
+    if (bytes.size() < mark_length || bytes[bytes.size() - mark_length] != '*') {
+        if (require_checksum)
+            return Fault{.code = ErrorCode::Checksum};
+        return std::nullopt;
+    }
+    request.checksummed = true;
+    const std::size_t before = bytes.size() - mark_length;
+    if (mark_value(bytes.substr(before)) != xor_of(bytes.substr(0, before)))
+        return Fault{.code = ErrorCode::Checksum, .column = request.text.column + before + 1};
+    request.text = request.text.first(before);
+    return std::nullopt;
+}
+
+} // namespace
+
+Request read_request(const Line& line, bool require_checksum) noexcept
+{
+    Request request{.text = {.bytes = line.bytes}};
+    if (line.too_long)
+        return faulty(request, {.code = ErrorCode::TooLong});
+    if (request.text.trimmed().empty())
+        return request;
+    const auto bad = std::ranges::find_if_not(line.bytes, is_allowed);
+    if (bad != line.bytes.end())
+        return faulty(request,
+                      {.code = ErrorCode::BadByte,
+                       .column = static_cast<std::size_t>(bad - line.bytes.begin()) + 1});
+    if (auto fault = check_mark(request, require_checksum))
+        return faulty(request, *fault);
+
+    request.text = request.text.trimmed();
+    const std::string_view bytes = request.text.bytes;
+    const std::size_t word_end = std::min(bytes.find_first_of(" \t,="), bytes.size());
+    const Text behind = request.text.from(word_end).trimmed();
+    if (word_end == 0 || behind.bytes.starts_with('=')) {
+        request.kind = Request::Kind::Frame;
+        return request;
+    }
+
+    const std::string_view word = bytes.substr(0, word_end);
+    request.command = find_command(word);
+    if (request.command == nullptr)
+        return faulty(request, {.code = ErrorCode::UnknownCommand,
+                                .column = request.text.column,
+                                .word = word});
+    request.text = behind;
+    if (request.command->words == Arity::Required && behind.empty())
+        return faulty(request, {.code = ErrorCode::Argument, .column = behind.column});
+    if (request.command->words == Arity::None && !behind.empty())
+        return faulty(request, {.code = ErrorCode::Argument, .column = behind.column});
+    request.kind = Request::Kind::Command;
+    return request;
+}
+
+} // namespace raymarch::protocol
