@@ -89,9 +89,9 @@ std::optional<Fault> apply_view(const Accelerator& accelerator, Text words, Stat
         return argument_fault(words, "this accelerator has no orbit camera");
     Text rest = words;
     const Text yaw_text = take_until(rest, ',').text.trimmed();
-    const Piece pitch_piece = take_until(rest, ',');
-    const Text pitch_text = pitch_piece.text.trimmed();
-    const Text zoom_text = rest.trimmed();
+    const Text pitch_text = take_until(rest, ',').text.trimmed();
+    const Piece zoom_piece = take_until(rest, ',');
+    const Text zoom_text = zoom_piece.text.trimmed();
 
     const auto yaw = read_number(yaw_text, yaw_range);
     if (!yaw)
@@ -106,6 +106,8 @@ std::optional<Fault> apply_view(const Accelerator& accelerator, Text words, Stat
         fault.parameter = zoom; // so that the reply tells its range
         return fault;
     }
+    if (zoom_piece.found)
+        return argument_fault(rest.trimmed(), "VIEW takes three numbers: yaw,pitch,zoom");
     set_orbit(accelerator, *yaw, *pitch, state);
     state.codes[zoom] = *zoom_code;
     return std::nullopt;
@@ -115,9 +117,13 @@ std::optional<Fault> apply_hue(const Accelerator& accelerator, Text words, State
 {
     if (!accelerator.colour)
         return argument_fault(words, "this accelerator has no colour to set by hue");
-    const auto hue = read_number(words, hue_range);
+    Text rest = words;
+    const Piece piece = take_until(rest, ',');
+    const auto hue = read_number(piece.text.trimmed(), hue_range);
     if (!hue)
         return hue.error();
+    if (piece.found)
+        return argument_fault(rest.trimmed(), "HUE takes one number");
     set_hue(accelerator, *hue, state);
     return std::nullopt;
 }

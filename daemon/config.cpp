@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/config.hpp"
+
+#include "protocol/accelerators.hpp"
+#include "protocol/picture_size.hpp"
+
+#include <fmt/format.h>
+
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+#include <array>
+#include <charconv>
+#include <optional>
+
+namespace raymarch::daemon
+{
+namespace
+{
+
+constexpr unsigned default_baud = 115'200;
+constexpr const char* uio_name = "raymarch";
+
+Error refuse(std::string_view text, std::string_view allowed)
+{
+    return plain_error(ErrorKind::Config, fmt::format("'{}' is not {}", text, allowed));
+}
+
+std::optional<unsigned> number(std::string_view text)
+{
+    unsigned value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+/// What follows `prefix`, if it is there and something follows it.
+std::optional<std::string> behind(std::string_view text, std::string_view prefix)
+{
+    if (!text.starts_with(prefix) || text.size() == prefix.size())
+        return std::nullopt;
+    return std::string(text.substr(prefix.size()));
+}
+
+constexpr std::string_view registers_values =
+    "auto|uio:/dev/uioN|uio-name:NAME|file:PATH|emulated";
+constexpr std::string_view serial_values = "/dev/TTY[@BAUD]|pty:LINK|none";
+
+Result<void> set_registers(Config& config, std::string_view text)
+{
+    if (text == "auto")
+        config.registers = AutoRegisters{};
+    else if (text == "emulated")
+        config.registers = EmulatedRegisters{};
+    else if (const auto name = behind(text, "uio-name:"))
+        config.registers = UioName{*name};
+    else if (const auto device = behind(text, "uio:"))
+        config.registers = UioDevice{*device};
+    else if (const auto path = behind(text, "file:"))
+        config.registers = RegisterFile{*path};
+    else
+        return fail(refuse(text, registers_values));
+    return {};
+}
+
+Result<void> set_serial(Config& config, std::string_view text)
+{
+    if (text == "none") {
+        config.serial = NoSerial{};
+    } else if (const auto link = behind(text, "pty:")) {
+        config.serial = PseudoTerminalLink{*link};
+    } else if (text.starts_with('/')) {
+        const std::size_t at = text.rfind('@');
+        const auto baud = at == std::string_view::npos ? std::optional(default_baud)
+                                                       : number(text.substr(at + 1));
+        if (!baud)
+            return fail(refuse(text, serial_values));
+        config.serial = SerialDevice{std::string(text.substr(0, at)), *baud};
+    } else {
+        return fail(refuse(text, serial_values));
+    }
+    return {};
+}
+
+/// Only `none` until there is a driver for real lines.
+Result<void> set_gpio(Config& /*config*/, std::string_view text)
+{
+    if (text != "none")
+        return fail(refuse(text, "none"));
+    return {};
+}
+
+std::string path_or_none(std::string_view text)
+{
+    return text == "none" ? std::string() : std::string(text);
+}
+
+Result<void> set_state(Config& config, std::string_view text)
+{
+    config.state = path_or_none(text);
+    return {};
+}
+
+Result<void> set_control(Config& config, std::string_view text)
+{
+    config.control = path_or_none(text);
+    return {};
+}
+
+Result<void> set_preview(Config& config, std::string_view text)
+{
+    if (text != "none" && !text.ends_with(".png"))
+        return fail(refuse(text, "FILE.png or none"));
+    config.preview = path_or_none(text);
+    return {};
+}
+
+Result<void> set_log_level(Config& config, std::string_view text)
+{
+    const auto level = log::level_named(text);
+    if (!level)
+        return fail(refuse(text, "error, warning, notice, info or debug"));
+    config.log_level = *level;
+    return {};
+}
+
+Result<void> set_accelerator(Config& config, std::string_view text)
+{
+    config.accelerator = protocol::find_accelerator(text);
+    if (config.accelerator == nullptr) {
+        std::string names;
+        for (const protocol::Accelerator* accelerator : protocol::accelerators)
+            names += (names.empty() ? "" : ", ") + std::string(accelerator->name);
+        return fail(refuse(text, "an accelerator: " + names));
+    }
+    config.emulated.size = config.accelerator->size;
+    return {};
+}
+
+/// One of `names` to the enumerator of the same position.
+template <typename Enum, std::size_t N>
+Result<void> set_choice(Enum& target, std::string_view text,
+                        const std::array<std::string_view, N>& names, std::string_view allowed)
+{
+    for (std::size_t i = 0; i < N; ++i) {
+        if (names[i] == text) {
+            target = static_cast<Enum>(i);
+            return {};
+        }
+    }
+    return fail(refuse(text, allowed));
+}
+
+Result<void> set_basis_check(Config& config, std::string_view text)
+{
+    return set_choice<BasisCheck, 3>(config.basis_check, text, {"off", "warn", "reject"},
+                                     "off, warn or reject");
+}
+
+Result<void> set_replies(Config& config, std::string_view text)
+{
+    return set_choice<Replies, 3>(config.replies, text, {"all", "errors", "none"},
+                                  "all, errors or none");
+}
+
+Result<void> set_require_checksum(Config& config, std::string_view text)
+{
+    return set_choice<bool, 2>(config.require_checksum, text, {"false", "true"}, "true or false");
+}
+
+Result<void> set_emulated_form(Config& config, std::string_view text)
+{
+    return set_choice<emulation::BlockForm, 2>(config.emulated.form, text, {"extended", "bare"},
+                                               "extended or bare");
+}
+
+Result<void> set_emulated_size(Config& config, std::string_view text)
+{
+    const protocol::PictureSize largest = config.accelerator->max_size;
+    const auto size = protocol::parse_size(text, largest);
+    if (!size)
+        return fail(
+            refuse(text, fmt::format("a size from 1x1 to {}x{}", largest.width, largest.height)));
+    config.emulated.size = *size;
+    return {};
+}
+
+Result<void> set_emulated_threads(Config& config, std::string_view text)
+{
+    const auto threads = number(text);
+    if (!threads || *threads > 256)
+        return fail(refuse(text, "a number of threads, 0 (one for each processor) to 256"));
+    config.emulated.threads = *threads;
+    return {};
+}
+
+// In this order: what depends on the accelerator comes after it.
+// clang-format off: one row a setting
+constexpr std::array table = {
+    Setting{"accelerator",      "NAME",                       "marcher",                  "the accelerator of a block that does not tell its kind, and of the emulated one", set_accelerator},
+    Setting{"registers",        registers_values,             "auto",                     "the register block; auto is the UIO device named raymarch where there is one, else emulated", set_registers},
+    Setting{"serial",           serial_values,                "/dev/ttyPS0@115200",       "the serial host; pty makes a pseudo-terminal and a link to it", set_serial},
+    Setting{"gpio",             "none",                       "none",                     "buttons, switches and LEDs", set_gpio},
+    Setting{"state",            "FILE|none",                  "/var/lib/raymarchd/state", "where the state is kept over a restart", set_state},
+    Setting{"control",          "SOCKET|none",                "/run/raymarchd/control",   "local socket that speaks the serial protocol", set_control},
+    Setting{"preview",          "FILE.png|none",              "none",                     "the latest picture of the emulated accelerator, replaced whole", set_preview},
+    Setting{"log_level",        "error|warning|notice|info|debug", "notice",              "what is logged", set_log_level},
+    Setting{"basis_check",      "off|warn|reject",            "warn",                     "what is done about a camera basis that no camera has", set_basis_check},
+    Setting{"replies",          "all|errors|none",            "all",                      "which replies are sent", set_replies},
+    Setting{"require_checksum", "true|false",                 "false",                    "whether every line must carry *HH", set_require_checksum},
+    Setting{"emulated_form",    "extended|bare",              "extended",                 "bare: the emulated block has the parameter words only, as the source's", set_emulated_form},
+    Setting{"emulated_size",    "WxH",                        "640x480",                  "size of the emulated accelerator's picture", set_emulated_size},
+    Setting{"emulated_threads", "N",                          "0",                        "threads that draw; 0 is one for each processor", set_emulated_threads},
+};
+// clang-format on
+
+/// A TOML value as the text that the command line would hold.
+std::optional<std::string> as_text(const toml::node& node)
+{
+    if (const auto text = node.value_exact<std::string>())
+        return *text;
+    if (const auto truth = node.value_exact<bool>())
+        return *truth ? "true" : "false";
+    if (const auto whole = node.value_exact<std::int64_t>())
+        return std::to_string(*whole);
+    return std::nullopt;
+}
+
+} // namespace
+
+std::span<const Setting> settings() noexcept
+{
+    return table;
+}
+
+Config default_config()
+{
+    Config config;
+    for (const Setting& setting : table)
+        static_cast<void>(setting.set(config, setting.initial)); // a test proves that each is taken
+    return config;
+}
+
+Result<void> set(Config& config, std::string_view name, std::string_view text)
+{
+    for (const Setting& setting : table) {
+        if (setting.name != name)
+            continue;
+        auto result = setting.set(config, text);
+        if (!result)
+            result.error().message = fmt::format("{}: {}", name, result.error().message);
+        return result;
+    }
+    return fail(plain_error(ErrorKind::Config, fmt::format("there is no setting '{}'", name)));
+}
+
+Result<void> read_config_file(Config& config, const std::string& path)
+{
+    const toml::parse_result parsed = toml::parse_file(path);
+    if (!parsed)
+        return fail(plain_error(ErrorKind::Config,
+                                fmt::format("{}:{}: {}", path, parsed.error().source().begin.line,
+                                            parsed.error().description())));
+    for (const auto& [key, node] : parsed.table()) {
+        const auto line = key.source().begin.line;
+        const auto text = as_text(node);
+        if (!text)
+            return fail(plain_error(ErrorKind::Config,
+                                    fmt::format("{}:{}: {} takes a string, a number or a boolean",
+                                                path, line, key.str())));
+        if (auto result = set(config, key.str(), *text); !result)
+            return fail(plain_error(ErrorKind::Config,
+                                    fmt::format("{}:{}: {}", path, line, result.error().message)));
+    }
+    return {};
+}
+
+} // namespace raymarch::daemon

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/controller.hpp"
+
+#include "protocol/arguments.hpp"
+#include "protocol/assignments.hpp"
+#include "protocol/help.hpp"
+
+#include <algorithm>
+
+namespace raymarch::daemon
+{
+namespace
+{
+
+using namespace protocol; // NOLINT(google-build-using-namespace): this file speaks nothing else
+
+constexpr std::string_view protocol_version = "1";
+
+Fault argument_fault(Text words, std::string_view allowed) noexcept
+{
+    return {.code = ErrorCode::Argument, .column = words.column, .allowed = allowed};
+}
+
+} // namespace
+
+Controller::Controller(const Accelerator& accelerator, Policy policy, Board& board,
+                       Storage& storage, StatusSource& status, std::uint64_t random_seed)
+    : accelerator_(accelerator)
+    , policy_(policy)
+    , board_(board)
+    , storage_(storage)
+    , status_(status)
+    , random_(random_seed)
+    , state_(initial_state(accelerator))
+    , words_(pack(accelerator, state_))
+{}
+
+std::string_view Controller::execute(const Line& line, SessionSettings& session)
+{
+    const Request request = read_request(line, policy_.require_checksum);
+    if (request.kind == Request::Kind::Blank)
+        return {};
+    reply_.begin(request.checksummed);
+    const Outcome fault = dispatch(request, session);
+    last_refused_ = fault.has_value();
+    if (fault) {
+        ++rejected_[static_cast<std::size_t>(fault->code)];
+        reply_.begin(request.checksummed); // without what was written before the fault was found
+        write_fault(reply_, accelerator_, *fault);
+    }
+    const bool wanted = policy_.replies == Replies::All ||
+                        (policy_.replies == Replies::Errors && fault.has_value());
+    return wanted ? reply_.text() : std::string_view();
+}
+
+bool Controller::restore(const State& state)
+{
+    state_ = state;
+    words_ = pack(accelerator_, state);
+    const Applied applied = board_.apply(words_);
+    return applied == Applied::Written || applied == Applied::Deferred;
+}
+
+void Controller::board_is_back()
+{
+    static_cast<void>(restore(state_)); // the board itself reports what it does not take
+}
+
+Controller::Outcome Controller::dispatch(const Request& request, SessionSettings& session)
+{
+    if (request.kind == Request::Kind::Faulty)
+        return request.fault;
+    const bool writes =
+        request.kind == Request::Kind::Frame ||
+        (request.command->effect == Effect::Writes &&
+         !(request.command->id == CommandId::Preset && request.text.empty())); // only lists them
+    if (locked_ && writes)
+        return Fault{.code = ErrorCode::Locked};
+    if (request.kind == Request::Kind::Command)
+        return run(request, session);
+
+    State state;
+    if (auto fault = read_frame(accelerator_, request.text, state))
+        return fault;
+    return apply(state);
+}
+
+Controller::Outcome Controller::run(const Request& request, SessionSettings& session)
+{
+    State state = state_;
+    std::string_view group_name;
+    switch (request.command->id) {
+    case CommandId::Set:
+        return assign(request.text);
+    case CommandId::View:
+        if (auto fault = apply_view(accelerator_, request.text, state))
+            return fault;
+        return apply(state);
+    case CommandId::Hue:
+        if (auto fault = apply_hue(accelerator_, request.text, state))
+            return fault;
+        return apply(state);
+    case CommandId::Get:
+        return get(request.text);
+    case CommandId::Regs:
+        reply_ << "OK";
+        write_words(reply_, accelerator_, words_);
+        reply_.end_line();
+        return std::nullopt;
+    case CommandId::Reset:
+        if (auto fault = group(request.text, group_name))
+            return fault;
+        reset(accelerator_, group_name, state);
+        return apply(state);
+    case CommandId::Random:
+        if (auto fault = group(request.text, group_name))
+            return fault;
+        randomise(accelerator_, group_name, random_, state);
+        return apply(state);
+    case CommandId::Status:
+        status();
+        return std::nullopt;
+    case CommandId::Preset:
+        return preset(request.text);
+    case CommandId::Save:
+        if (!storage_.save(state_))
+            return Fault{.code = ErrorCode::Storage};
+        ok();
+        return std::nullopt;
+    case CommandId::Load:
+        if (const auto loaded = storage_.load())
+            return apply(*loaded);
+        return Fault{.code = ErrorCode::Storage};
+    case CommandId::Accelerator:
+        reply_ << "OK accelerator=" << accelerator_.name;
+        reply_.end_line();
+        return std::nullopt;
+    case CommandId::Echo:
+        return echo(request.text, session);
+    case CommandId::Version:
+        reply_ << "OK version=" << RAYMARCH_VERSION << " protocol=" << protocol_version;
+        reply_.end_line();
+        return std::nullopt;
+    case CommandId::Ping:
+        ok();
+        return std::nullopt;
+    case CommandId::Help:
+        if (!write_help(reply_, accelerator_, request.text.bytes))
+            return argument_fault(request.text, "HELP alone lists what there is");
+        ok();
+        return std::nullopt;
+    }
+    return Fault{.code = ErrorCode::UnknownCommand};
+}
+
+Controller::Outcome Controller::apply(const State& state)
+{
+    const bool orthonormal = policy_.basis_check == BasisCheck::Off ||
+                             basis_is_orthonormal(accelerator_, state);
+    if (!orthonormal && policy_.basis_check == BasisCheck::Reject)
+        return Fault{.code = ErrorCode::Basis};
+    const Words words = pack(accelerator_, state);
+    const Applied applied = board_.apply(words);
+    if (applied == Applied::Absent || applied == Applied::Failed)
+        return Fault{.code = ErrorCode::Hardware};
+
+    std::uint64_t changed = 0;
+    for (std::size_t i = 0; i < accelerator_.word_count; ++i)
+        changed += words[i] != words_[i] ? 1 : 0;
+    if (!(state == state_))
+        storage_.changed(state);
+    state_ = state;
+    words_ = words;
+    ++applied_;
+    reply_ << "OK seq=" << applied_ << " changed=" << changed;
+    if (!orthonormal)
+        reply_ << " warn=" << error_row(ErrorCode::Basis).name;
+    reply_.end_line();
+    return std::nullopt;
+}
+
+Controller::Outcome Controller::assign(Text words)
+{
+    State state = state_;
+    ParameterSet given;
+    if (auto fault = read_assignments(accelerator_, words, state, given))
+        return fault;
+    return apply(state);
+}
+
+Controller::Outcome Controller::get(Text words)
+{
+    reply_ << "OK ";
+    if (words.empty()) {
+        write_state(reply_, accelerator_, state_);
+        reply_.end_line();
+        return std::nullopt;
+    }
+    ParameterSet given;
+    Text rest = words;
+    for (bool more = true; more;) {
+        const Piece piece = take_until(rest, ',');
+        more = piece.found;
+        const Text key = piece.text.trimmed();
+        const auto index = find_parameter(accelerator_.parameters, key.bytes);
+        if (!index || given[*index]) {
+            Fault fault = argument_fault(key, "GET takes the keys of parameters, each once");
+            if (std::ranges::all_of(key.bytes, is_letter))
+                fault.word = key.bytes;
+            return fault;
+        }
+        if (given.any())
+            reply_ << ',';
+        given.set(*index);
+        write_assignment(reply_, accelerator_.parameters[*index], state_.codes[*index]);
+    }
+    reply_.end_line();
+    return std::nullopt;
+}
+
+Controller::Outcome Controller::preset(Text words)
+{
+    if (words.empty()) {
+        reply_ << "OK presets=";
+        for (std::size_t i = 0; i < accelerator_.presets.size(); ++i)
+            reply_ << (i == 0 ? "" : ",") << accelerator_.presets[i].name;
+        reply_.end_line();
+        return std::nullopt;
+    }
+    for (const Preset& row : accelerator_.presets) {
+        if (!equal_ignoring_case(row.name, words.bytes))
+            continue;
+        State state = initial_state(accelerator_);
+        ParameterSet given;
+        if (auto fault = read_assignments(accelerator_, {.bytes = row.settings}, state, given))
+            return fault; // never: a test reads every preset
+        return apply(state);
+    }
+    return argument_fault(words, "PRESET alone lists the presets");
+}
+
+Controller::Outcome Controller::echo(Text words, SessionSettings& session)
+{
+    const bool on = equal_ignoring_case(words.bytes, "on");
+    if (!on && !equal_ignoring_case(words.bytes, "off"))
+        return argument_fault(words, "ECHO takes on or off");
+    session.echo = on;
+    ok();
+    return std::nullopt;
+}
+
+Controller::Outcome Controller::group(Text words, std::string_view& name) const
+{
+    if (words.empty())
+        return std::nullopt;
+    // Two words: the second one is at fault, if the first is a group.
+    const std::size_t end = std::min(words.bytes.find_first_of(" \t"), words.bytes.size());
+    const auto found = find_group(accelerator_, words.bytes.substr(0, end));
+    if (!found)
+        return argument_fault(words, "HELP RESET names the groups");
+    if (end < words.bytes.size())
+        return argument_fault(words.from(end).trimmed(), "one group, or none for all");
+    name = *found;
+    return std::nullopt;
+}
+
+void Controller::status()
+{
+    std::uint64_t rejected = 0;
+    for (const std::uint64_t count : rejected_)
+        rejected += count;
+    reply_ << "OK accelerator=" << accelerator_.name;
+    status_.write_status(reply_);
+    reply_ << " locked=" << (locked_ ? "on" : "off") << " applied=" << applied_
+           << " rejected=" << rejected;
+    for (const ErrorRow& row : errors)
+        if (const std::uint64_t count = rejected_[static_cast<std::size_t>(row.code)]; count > 0)
+            reply_ << " rejected." << row.name << '=' << count;
+    reply_.end_line();
+}
+
+void Controller::ok()
+{
+    reply_ << "OK";
+    reply_.end_line();
+}
+
+} // namespace raymarch::daemon

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Executes lines: frame or command → state → words → board, and the reply.
+///
+/// The one place that holds the present state. It knows no descriptor and no clock: the board, the
+/// storage and the rest of the service stand behind the seams below, so that a test can play them.
+#pragma once
+
+#include "daemon/config.hpp"
+#include "daemon/register_path.hpp"
+#include "protocol/line_reader.hpp"
+#include "protocol/registers.hpp"
+#include "protocol/reply.hpp"
+#include "protocol/request.hpp"
+
+#include <array>
+#include <cstdint>
+#include <random>
+#include <string_view>
+
+namespace raymarch::daemon
+{
+
+/// The register block, present or not.
+class Board
+{
+  public:
+    virtual ~Board() = default;
+    [[nodiscard]] virtual Applied apply(const protocol::Words& words) = 0;
+};
+
+/// The persisted state.
+class Storage
+{
+  public:
+    virtual ~Storage() = default;
+    /// The state has changed; it is to be kept soon.
+    virtual void changed(const protocol::State& state) = 0;
+    /// Keeps it now, and puts it aside for load(). False when that cannot be done.
+    [[nodiscard]] virtual bool save(const protocol::State& state) = 0;
+    [[nodiscard]] virtual std::optional<protocol::State> load() = 0;
+};
+
+/// What STATUS tells beyond the controller's own counts.
+class StatusSource
+{
+  public:
+    virtual ~StatusSource() = default;
+    /// Writes ` key=value` words.
+    virtual void write_status(protocol::ReplyWriter& reply) = 0;
+};
+
+/// What a session lets the lines on it change.
+struct SessionSettings
+{
+    bool echo = false;
+};
+
+struct Policy
+{
+    BasisCheck basis_check = BasisCheck::Warn;
+    Replies replies = Replies::All;
+    bool require_checksum = false;
+};
+
+class Controller
+{
+  public:
+    Controller(const protocol::Accelerator& accelerator, Policy policy, Board& board,
+               Storage& storage, StatusSource& status, std::uint64_t random_seed);
+
+    /// Executes one line. The reply, which may be empty, is valid until the next call.
+    [[nodiscard]] std::string_view execute(const protocol::Line& line, SessionSettings& session);
+
+    /// Makes `state` the present one without a line: at start, or from a button. False when the board
+    /// did not take it; the state is kept all the same, for a board that comes later.
+    bool restore(const protocol::State& state);
+    /// Writes the present words again: the board has come (back).
+    void board_is_back();
+
+    /// A switch on the board: while locked, whatever writes is answered ERR LOCKED.
+    void set_locked(bool locked) noexcept { locked_ = locked; }
+
+    void set_policy(const Policy& policy) noexcept { policy_ = policy; }
+    [[nodiscard]] const protocol::State& state() const noexcept { return state_; }
+    [[nodiscard]] std::uint64_t applied() const noexcept { return applied_; }
+    [[nodiscard]] bool last_refused() const noexcept { return last_refused_; }
+
+  private:
+    using Outcome = std::optional<protocol::Fault>;
+    [[nodiscard]] Outcome dispatch(const protocol::Request& request, SessionSettings& session);
+    [[nodiscard]] Outcome run(const protocol::Request& request, SessionSettings& session);
+    [[nodiscard]] Outcome apply(const protocol::State& state);
+    [[nodiscard]] Outcome assign(protocol::Text words);
+    [[nodiscard]] Outcome get(protocol::Text words);
+    [[nodiscard]] Outcome preset(protocol::Text words);
+    [[nodiscard]] Outcome echo(protocol::Text words, SessionSettings& session);
+    [[nodiscard]] Outcome group(protocol::Text words, std::string_view& name) const;
+    void status();
+    void ok();
+
+    const protocol::Accelerator& accelerator_;
+    Policy policy_;
+    Board& board_;
+    Storage& storage_;
+    StatusSource& status_;
+    std::mt19937_64 random_;
+
+    protocol::State state_;
+    protocol::Words words_;
+    bool locked_ = false;
+    bool last_refused_ = false;
+    std::uint64_t applied_ = 0;
+    std::array<std::uint64_t, protocol::error_count> rejected_{};
+    protocol::ReplyWriter reply_;
+};
+
+} // namespace raymarch::daemon

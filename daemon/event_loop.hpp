@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// sd-event with owners: a source lives as long as the handle that add_… returned.
+#pragma once
+
+#include "base/result.hpp"
+
+#include <systemd/sd-event.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace raymarch::daemon
+{
+
+/// One event source with its handler; removing it is destroying it.
+class EventSource
+{
+  public:
+    EventSource(const EventSource&) = delete;
+    EventSource& operator=(const EventSource&) = delete;
+    ~EventSource();
+
+    /// For timers: fires once, `delay` from now. A timer that is armed again forgets the earlier time.
+    void arm(std::chrono::milliseconds delay) noexcept;
+    /// For descriptors: which epoll events to wait for from now on. An edge-triggered source that is
+    /// told the same events again reports once more what is ready.
+    void watch(std::uint32_t events) noexcept;
+
+  private:
+    friend class EventLoop;
+    EventSource() = default;
+    sd_event_source* source_ = nullptr;
+    std::function<void(std::uint32_t)> handler_;
+};
+using Source = std::unique_ptr<EventSource>;
+
+/// The one loop of the service. Handlers run one after the other, on the thread that runs the loop.
+class EventLoop
+{
+  public:
+    /// Errors: Unavailable.
+    [[nodiscard]] static Result<EventLoop> open();
+    EventLoop(EventLoop&& other) noexcept : event_(std::exchange(other.event_, nullptr)) {}
+    EventLoop(const EventLoop&) = delete;
+    EventLoop& operator=(const EventLoop&) = delete;
+    EventLoop& operator=(EventLoop&&) = delete;
+    ~EventLoop();
+
+    /// Calls `handler` with the epoll events that came.
+    [[nodiscard]] Source add_io(int fd, std::uint32_t events,
+                                std::function<void(std::uint32_t)> handler);
+    /// A timer that waits to be armed.
+    [[nodiscard]] Source add_timer(std::function<void()> handler);
+    /// The signal must be blocked in every thread.
+    [[nodiscard]] Source add_signal(int signal, std::function<void()> handler);
+
+    /// Feeds systemd's watchdog where there is one; says whether there is.
+    bool feed_watchdog() noexcept;
+
+    /// Until quit(). Errors: InputOutput when the loop itself fails.
+    [[nodiscard]] Result<void> run();
+    void quit() noexcept;
+
+  private:
+    explicit EventLoop(sd_event* event) noexcept : event_(event) {}
+    sd_event* event_;
+};
+
+} // namespace raymarch::daemon

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/hardware.hpp"
+
+#include "drivers/atomic_file.hpp"
+#include "drivers/mapped_window.hpp"
+#include "engine/models.hpp"
+#include "pictures/picture_file.hpp"
+
+#include <sys/epoll.h>
+
+namespace raymarch::daemon
+{
+namespace
+{
+
+constexpr std::size_t window_bytes = protocol::register_page_bytes;
+/// Without an interrupt line a pending commit is looked at this often; a frame takes tens of ms.
+constexpr std::chrono::milliseconds deferred_poll{2};
+
+using BusResult = Result<std::unique_ptr<drivers::RegisterBus>>;
+
+/// Writes each frame to the preview file; called on the emulated block's worker.
+emulation::FrameSink preview_to(const std::string& path)
+{
+    if (path.empty())
+        return {};
+    return [path, failing = false](const engine::Image& image) mutable {
+        const auto bytes = pictures::encode(image, pictures::PictureFormat::Png);
+        const auto written =
+            bytes ? drivers::replace_file(path, *bytes, drivers::Durability::BestEffort)
+                  : Result<void>(fail(bytes.error()));
+        if (!written && !failing)
+            log::warning("no preview: {}", written.error().message);
+        failing = !written;
+    };
+}
+
+BusResult open_emulated(const Config& config)
+{
+    return emulation::EmulatedBlock::open(engine::model_of(*config.accelerator), config.emulated,
+                                          preview_to(config.preview));
+}
+
+BusResult open_named(const std::string& name)
+{
+    const auto device = drivers::find_uio(name);
+    if (!device)
+        return fail(device.error());
+    return drivers::MappedWindow::open_uio(*device, window_bytes);
+}
+
+/// Opens what the variant names; one overload each.
+struct Opener
+{
+    const Config& config;
+    BusResult operator()(const AutoRegisters&) const
+    {
+        if (drivers::find_uio("raymarch"))
+            return open_named("raymarch");
+        log::notice("no UIO device is named raymarch: the accelerator is emulated");
+        return open_emulated(config);
+    }
+    BusResult operator()(const UioDevice& where) const
+    {
+        return drivers::MappedWindow::open_uio(where.path, window_bytes);
+    }
+    BusResult operator()(const UioName& where) const { return open_named(where.name); }
+    BusResult operator()(const RegisterFile& where) const
+    {
+        return drivers::MappedWindow::open_file(where.path, window_bytes);
+    }
+    BusResult operator()(const EmulatedRegisters&) const { return open_emulated(config); }
+};
+
+} // namespace
+
+Hardware::Hardware(const Config& config, EventLoop& loop, std::function<void()> on_ready)
+    : config_(config)
+    , loop_(loop)
+    , on_ready_(std::move(on_ready))
+    , retry_open_(loop.add_timer([this] { try_to_open(); }))
+    , retry_deferred_(loop.add_timer([this] {
+        if (path_)
+            settle(path_->retry());
+    }))
+{}
+
+void Hardware::start()
+{
+    try_to_open();
+}
+
+BusResult Hardware::open_bus()
+{
+    return std::visit(Opener{config_}, config_.registers);
+}
+
+Result<void> Hardware::open()
+{
+    auto bus = open_bus();
+    if (!bus)
+        return fail(bus.error());
+    auto path = RegisterPath::probe(**bus, *config_.accelerator);
+    if (!path)
+        return fail(path.error());
+    bus_ = std::move(*bus);
+    path_ = *path;
+    if (bus_->interrupt_fd() >= 0)
+        interrupt_ = loop_.add_io(bus_->interrupt_fd(), EPOLLIN,
+                                  [this](std::uint32_t) { on_interrupt(); });
+    return {};
+}
+
+void Hardware::try_to_open()
+{
+    if (const auto opened = open(); !opened) {
+        if (opened.error().message != last_problem_)
+            log::warning("no register block: {}; it will be looked for again",
+                         opened.error().message);
+        last_problem_ = opened.error().message;
+        retry_open_->arm(back_off_.next());
+        return;
+    }
+    last_problem_.clear();
+    back_off_.reset();
+    faulty_ = false;
+    log::info("registers: {} {}", path_->accelerator().name,
+              path_->extended() ? "with extended registers" : "without extended registers");
+    on_ready_();
+}
+
+void Hardware::close()
+{
+    log::warning("the register block has gone away");
+    interrupt_.reset();
+    path_.reset();
+    bus_.reset();
+    retry_open_->arm(back_off_.next());
+}
+
+Applied Hardware::apply(const protocol::Words& words)
+{
+    if (!path_)
+        return Applied::Absent;
+    const Applied applied = path_->apply(words);
+    settle(applied);
+    return applied;
+}
+
+/// What follows from the outcome of an update, asked for just now or brought later.
+void Hardware::settle(Applied applied)
+{
+    if (applied == Applied::Failed) {
+        ++readback_errors_;
+        if (!faulty_)
+            log::error("a register read back something else than was written to it");
+    }
+    if (applied == Applied::Written || applied == Applied::Failed)
+        faulty_ = applied == Applied::Failed;
+    if (bus_ && bus_->lost())
+        close();
+    else if (path_ && path_->deferred())
+        wait_for_frame_start();
+}
+
+void Hardware::wait_for_frame_start()
+{
+    if (interrupt_)
+        bus_->arm_interrupt();
+    // Also where there is an interrupt: its line may be dead.
+    retry_deferred_->arm(interrupt_ ? 50 * deferred_poll : deferred_poll);
+}
+
+/// The interrupt is armed again only while something waits for a frame start: an accelerator that
+/// draws the same picture over and over does not wake the processor.
+void Hardware::on_interrupt()
+{
+    if (const auto count = bus_->take_interrupt(); !count) {
+        log::warning("{}", count.error().message);
+        close();
+        return;
+    }
+    path_->acknowledge_frame();
+    settle(path_->retry());
+}
+
+void Hardware::write_status(protocol::ReplyWriter& reply)
+{
+    if (!path_) {
+        reply << " hardware=absent";
+        return;
+    }
+    reply << " hardware=" << (faulty_ ? "fault" : "ok")
+          << " block=" << (path_->extended() ? "extended" : "plain")
+          << " readback_errors=" << readback_errors_;
+    if (!path_->extended())
+        return;
+
+    using std::chrono::milliseconds;
+    const auto now = std::chrono::steady_clock::now();
+    const auto elapsed = std::chrono::duration_cast<milliseconds>(now - status_before_).count();
+    const std::uint32_t frames = path_->frames();
+    reply << " frames=" << std::uint64_t{frames};
+    if (elapsed > 0) {
+        const std::uint64_t tenths = std::uint64_t{frames - frames_before_} * 10'000 /
+                                     static_cast<std::uint64_t>(elapsed);
+        reply << " fps=" << tenths / 10 << '.' << tenths % 10;
+    }
+    frames_before_ = frames;
+    status_before_ = now;
+}
+
+const protocol::Accelerator& Hardware::accelerator() const noexcept
+{
+    return path_ ? path_->accelerator() : *config_.accelerator;
+}
+
+} // namespace raymarch::daemon

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The register block as the service has it: opened from the configuration, looked for again when it
+/// is missing or goes away, and kept informed of deferred updates.
+#pragma once
+
+#include "daemon/back_off.hpp"
+#include "daemon/config.hpp"
+#include "daemon/controller.hpp"
+#include "daemon/event_loop.hpp"
+#include "daemon/register_path.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace raymarch::daemon
+{
+
+class Hardware final : public Board
+{
+  public:
+    /// `on_ready` is called each time a block has been found: its registers await the state.
+    Hardware(const Config& config, EventLoop& loop, std::function<void()> on_ready);
+
+    /// Looks for the block now; when it is not there, again and again.
+    void start();
+
+    [[nodiscard]] Applied apply(const protocol::Words& words) override;
+
+    /// ` hardware=… block=… frames=… fps=…`
+    void write_status(protocol::ReplyWriter& reply);
+
+    [[nodiscard]] const protocol::Accelerator& accelerator() const noexcept;
+
+  private:
+    [[nodiscard]] Result<std::unique_ptr<drivers::RegisterBus>> open_bus();
+    [[nodiscard]] Result<void> open();
+    void try_to_open();
+    void close();
+    void on_interrupt();
+    void settle(Applied applied);
+    void wait_for_frame_start();
+
+    const Config& config_;
+    EventLoop& loop_;
+    std::function<void()> on_ready_;
+    BackOff back_off_;
+    std::string last_problem_; ///< logged once, not at each attempt
+    std::uint64_t readback_errors_ = 0;
+    bool faulty_ = false;
+
+    std::uint32_t frames_before_ = 0; ///< FRAMES at the last status, and when that was
+    std::chrono::steady_clock::time_point status_before_ = std::chrono::steady_clock::now();
+
+    std::unique_ptr<drivers::RegisterBus> bus_;
+    std::optional<RegisterPath> path_; ///< borrows bus_
+    Source interrupt_;                 ///< watches bus_
+    Source retry_open_;
+    Source retry_deferred_;
+};
+
+} // namespace raymarch::daemon

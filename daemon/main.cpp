@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/app.hpp"
+#include "daemon/options.hpp"
+
+#include <csignal>
+
+using namespace raymarch; // NOLINT(google-build-using-namespace): a main of a few lines
+
+namespace
+{
+
+int report(const Error& error)
+{
+    log::error("{}", error.message);
+    return exit_status(error.kind);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const auto command_line = daemon::parse_command_line(argc, argv);
+    if (const int* status = std::get_if<int>(&command_line))
+        return *status;
+    const auto& options = std::get<daemon::Options>(command_line);
+    const auto config = daemon::load_config(options);
+    if (!config)
+        return report(config.error());
+    if (options.check_config)
+        return 0;
+    log::set_level(config->log_level);
+
+    sigset_t handled; // by the event loop; blocked before any thread exists
+    sigemptyset(&handled);
+    for (const int number : {SIGTERM, SIGINT, SIGHUP})
+        sigaddset(&handled, number);
+    pthread_sigmask(SIG_BLOCK, &handled, nullptr);
+
+    auto loop = daemon::EventLoop::open();
+    if (!loop)
+        return report(loop.error());
+    daemon::App app(*config, [&] { return daemon::load_config(options); }, *loop);
+    const auto result = app.run();
+    return result ? 0 : report(result.error());
+}

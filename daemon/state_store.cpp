@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/state_store.hpp"
+
+#include "base/log.hpp"
+#include "drivers/atomic_file.hpp"
+
+#include <utility>
+
+namespace raymarch::daemon
+{
+namespace
+{
+
+constexpr std::size_t largest_state_file = 65'536;
+
+} // namespace
+
+StateStore::StateStore(std::string path, const protocol::Accelerator& accelerator)
+    : path_(std::move(path))
+    , accelerator_(accelerator)
+    , worker_([this](const std::stop_token& stop) { work(stop); })
+{}
+
+StateStore::~StateStore()
+{
+    worker_.request_stop();
+}
+
+Result<PersistedState> StateStore::load() const
+{
+    auto text = drivers::read_file(path_, largest_state_file);
+    if (!text)
+        return fail(text.error());
+    auto state = parse_state_file(accelerator_, *text);
+    if (!state)
+        return fail(plain_error(ErrorKind::BadData, path_ + ": " + state.error().message));
+    return state;
+}
+
+Result<void> StateStore::write(const PersistedState& state)
+{
+    const std::scoped_lock lock(file_mutex_);
+    const std::string text = format_state_file(accelerator_, state);
+    auto result =
+        drivers::replace_file(path_, drivers::as_bytes(text), drivers::Durability::Durable);
+    if (!result && !failing_)
+        log::warning("the state is not kept: {}", result.error().message);
+    failing_ = !result;
+    return result;
+}
+
+void StateStore::write_later(const PersistedState& state)
+{
+    const std::scoped_lock lock(mutex_);
+    waiting_ = state;
+    wake_.notify_one();
+}
+
+Result<void> StateStore::write_now(const PersistedState& state)
+{
+    {
+        const std::scoped_lock lock(mutex_);
+        waiting_.reset(); // older than this one
+    }
+    return write(state);
+}
+
+void StateStore::work(const std::stop_token& stop)
+{
+    std::unique_lock lock(mutex_);
+    while (wake_.wait(lock, stop, [this] { return waiting_.has_value(); })) {
+        const PersistedState state = *std::exchange(waiting_, std::nullopt);
+        lock.unlock();
+        static_cast<void>(write(state)); // it has logged what went wrong
+        lock.lock();
+        if (stop.stop_requested())
+            return;
+    }
+}
+
+} // namespace raymarch::daemon

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "drivers/bus_fault.hpp"
+
+#include <signal.h>
+#include <sys/mman.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+namespace raymarch::drivers
+{
+namespace
+{
+
+struct Watched
+{
+    std::atomic<std::uintptr_t> base = 0; ///< 0: a free place
+    std::atomic<std::size_t> length = 0;
+    std::atomic<bool> faulted = false;
+};
+static_assert(std::atomic<std::uintptr_t>::is_always_lock_free, "the handler may not lock");
+
+std::array<Watched, max_watched_mappings> watched; // NOLINT: a signal handler has no other state
+struct sigaction previous = {};
+
+/// Only calls that are safe in a handler: mmap is a bare system call.
+void on_bus_fault(int number, siginfo_t* info, void* context)
+{
+    const auto at = reinterpret_cast<std::uintptr_t>(info->si_addr);
+    for (Watched& place : watched) {
+        const std::uintptr_t base = place.base;
+        if (base == 0 || at < base || at >= base + place.length)
+            continue;
+        void* const zeros = ::mmap(reinterpret_cast<void*>(base), place.length,
+                                   PROT_READ | PROT_WRITE,
+                                   MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);
+        if (zeros == MAP_FAILED)
+            break;
+        place.faulted = true;
+        return;
+    }
+    // Not ours: whoever was here before (a sanitizer, or the default that ends the process).
+    if ((previous.sa_flags & SA_SIGINFO) != 0 && previous.sa_sigaction != nullptr) {
+        previous.sa_sigaction(number, info, context);
+        return;
+    }
+    ::sigaction(SIGBUS, &previous, nullptr);
+}
+
+void install() noexcept
+{
+    static const bool installed = [] {
+        struct sigaction action = {};
+        action.sa_sigaction = on_bus_fault;
+        action.sa_flags = SA_SIGINFO;
+        ::sigemptyset(&action.sa_mask);
+        return ::sigaction(SIGBUS, &action, &previous) == 0;
+    }();
+    static_cast<void>(installed);
+}
+
+Watched* find(const void* base) noexcept
+{
+    for (Watched& place : watched)
+        if (place.base == reinterpret_cast<std::uintptr_t>(base))
+            return &place;
+    return nullptr;
+}
+
+} // namespace
+
+bool watch_mapping(void* base, std::size_t length) noexcept
+{
+    install();
+    Watched* const place = find(nullptr);
+    if (place == nullptr)
+        return false;
+    place->faulted = false;
+    place->length = length;
+    place->base = reinterpret_cast<std::uintptr_t>(base);
+    return true;
+}
+
+void unwatch_mapping(const void* base) noexcept
+{
+    if (Watched* const place = find(base))
+        place->base = 0;
+}
+
+bool mapping_faulted(const void* base) noexcept
+{
+    const Watched* const place = find(base);
+    return place != nullptr && place->faulted;
+}
+
+} // namespace raymarch::drivers

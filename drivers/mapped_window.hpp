@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// A register window mapped into memory: a UIO device, or an ordinary file through the same code.
+#pragma once
+
+#include "base/result.hpp"
+#include "base/unique_fd.hpp"
+#include "drivers/ports.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace raymarch::drivers
+{
+
+/// An open, mapped window; owns the descriptor and the mapping.
+///
+/// Each access is one aligned 32-bit load or store in program order; nothing is cached or retried.
+/// When the memory behind it goes away (a truncated file, an unbound device) the access that finds
+/// out reads zeros and lost() turns true, in place of SIGBUS ending the process.
+/// Not thread-safe: the event loop is the only user. At most eight windows at a time.
+class MappedWindow final : public RegisterBus
+{
+  public:
+    /// Maps the first region of a UIO device, `/dev/uioN`; its size and offset come from
+    /// `<sysfs_root>/class/uio/uioN/maps/map0`. Errors: Unavailable (no device, or a region smaller
+    /// than `bytes`), InputOutput.
+    [[nodiscard]] static Result<std::unique_ptr<MappedWindow>>
+    open_uio(const std::string& device, std::size_t bytes, const std::string& sysfs_root = "/sys");
+
+    /// Maps an ordinary file of at least `bytes`; made, and filled up with zeros, if need be.
+    /// Errors: Unavailable, InputOutput.
+    [[nodiscard]] static Result<std::unique_ptr<MappedWindow>> open_file(const std::string& path,
+                                                                         std::size_t bytes);
+
+    ~MappedWindow() override;
+
+    [[nodiscard]] std::uint32_t read(RegOffset at) noexcept override;
+    void write(RegOffset at, std::uint32_t word) noexcept override;
+    [[nodiscard]] int interrupt_fd() const noexcept override;
+    void arm_interrupt() noexcept override;
+    [[nodiscard]] Result<std::uint32_t> take_interrupt() override;
+    [[nodiscard]] bool lost() const noexcept override;
+
+  private:
+    struct Mapping
+    {
+        void* base;         ///< page-aligned, as mmap gave it
+        std::size_t length; ///< whole pages
+        std::size_t offset; ///< of register 0 from the base
+    };
+    MappedWindow(UniqueFd fd, std::string name, Mapping mapping, bool has_interrupt) noexcept;
+    [[nodiscard]] static Result<std::unique_ptr<MappedWindow>>
+    map(UniqueFd fd, std::string name, std::size_t bytes, std::size_t offset, bool is_uio);
+
+    UniqueFd fd_;
+    std::string name_;
+    Mapping mapping_;
+    bool has_interrupt_;
+};
+
+/// `/dev/uioN` of the device whose sysfs name is `name`. Errors: Unavailable when there is none, or
+/// more than one.
+[[nodiscard]] Result<std::string> find_uio(const std::string& name,
+                                           const std::string& sysfs_root = "/sys");
+
+} // namespace raymarch::drivers

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "drivers/unix_socket.hpp"
+
+#include "drivers/serial_port.hpp" // read_some
+
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+
+namespace raymarch::drivers
+{
+namespace
+{
+
+Result<sockaddr_un> address_of(const std::string& path)
+{
+    sockaddr_un address = {};
+    address.sun_family = AF_UNIX;
+    if (path.size() >= sizeof address.sun_path)
+        return fail(plain_error(ErrorKind::Usage, path + ": a socket's path has at most " +
+                                                      std::to_string(sizeof address.sun_path - 1) +
+                                                      " bytes"));
+    std::copy(path.begin(), path.end(), address.sun_path);
+    return address;
+}
+
+Result<UniqueFd> make_socket()
+{
+    UniqueFd fd(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+    if (!fd)
+        return fail(errno_error(ErrorKind::Unavailable, "make", "a local socket"));
+    return fd;
+}
+
+const sockaddr* generic(const sockaddr_un& address) noexcept
+{
+    return reinterpret_cast<const sockaddr*>(&address);
+}
+
+} // namespace
+
+Result<std::unique_ptr<SocketPort>> SocketPort::connect(const std::string& path)
+{
+    auto address = address_of(path);
+    if (!address)
+        return fail(address.error());
+    auto fd = make_socket();
+    if (!fd)
+        return fail(fd.error());
+    if (::connect(fd->get(), generic(*address), sizeof *address) != 0)
+        return fail(errno_error(ErrorKind::Unavailable, "connect to", path));
+    return std::make_unique<SocketPort>(std::move(*fd));
+}
+
+ReadOutcome SocketPort::read(std::span<char> into) noexcept
+{
+    return read_some(fd_.get(), into, ReadStatus::Gone);
+}
+
+std::size_t SocketPort::write(std::string_view bytes) noexcept
+{
+    for (;;) {
+        // MSG_NOSIGNAL: a client that has gone must not raise SIGPIPE.
+        const ssize_t size = ::send(fd_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (size >= 0)
+            return static_cast<std::size_t>(size);
+        if (errno != EINTR)
+            return 0;
+    }
+}
+
+Result<SocketListener> SocketListener::open(const std::string& path)
+{
+    auto address = address_of(path);
+    if (!address)
+        return fail(address.error());
+    if (SocketPort::connect(path))
+        return fail(plain_error(ErrorKind::Unavailable, path + ": another process listens there"));
+    struct stat info = {};
+    if (::lstat(path.c_str(), &info) == 0 && S_ISSOCK(info.st_mode))
+        ::unlink(path.c_str()); // left behind by a process that was killed
+
+    auto fd = make_socket();
+    if (!fd)
+        return fail(fd.error());
+    if (::bind(fd->get(), generic(*address), sizeof *address) != 0)
+        return fail(errno_error(ErrorKind::Unavailable, "bind", path));
+    constexpr int waiting = 16;
+    if (::chmod(path.c_str(), S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP) != 0 ||
+        ::listen(fd->get(), waiting) != 0)
+        return fail(errno_error(ErrorKind::InputOutput, "listen at", path));
+    return SocketListener(std::move(*fd), path);
+}
+
+SocketListener::~SocketListener()
+{
+    if (fd_)
+        ::unlink(path_.c_str());
+}
+
+std::unique_ptr<SocketPort> SocketListener::accept() noexcept
+{
+    UniqueFd fd(::accept4(fd_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+    if (!fd)
+        return nullptr;
+    return std::make_unique<SocketPort>(std::move(fd));
+}
+
+} // namespace raymarch::drivers

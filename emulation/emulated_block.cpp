@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "emulation/emulated_block.hpp"
+
+#include "engine/draw.hpp"
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace raymarch::emulation
+{
+namespace
+{
+
+using protocol::Register;
+namespace control = protocol::control;
+namespace status = protocol::status;
+
+/// The index of the parameter word at `at`, if it is one.
+std::optional<std::size_t> parameter_word(const protocol::Accelerator& accelerator,
+                                          drivers::RegOffset at) noexcept
+{
+    const int index = (at.bytes - accelerator.first_word_offset) / 4;
+    if (at.bytes < accelerator.first_word_offset || index >= accelerator.word_count)
+        return std::nullopt;
+    return static_cast<std::size_t>(index);
+}
+
+} // namespace
+
+Result<std::unique_ptr<EmulatedBlock>>
+EmulatedBlock::open(const engine::Model& model, const EmulatedOptions& options, FrameSink sink)
+{
+    UniqueFd interrupt(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC));
+    if (!interrupt)
+        return fail(errno_error(ErrorKind::Unavailable, "make", "an eventfd"));
+    return std::unique_ptr<EmulatedBlock>(
+        new EmulatedBlock(model, options, std::move(sink), std::move(interrupt)));
+}
+
+EmulatedBlock::EmulatedBlock(const engine::Model& model, const EmulatedOptions& options,
+                             FrameSink sink, UniqueFd interrupt)
+    : model_(model)
+    , options_(options)
+    , sink_(std::move(sink))
+    , interrupt_(std::move(interrupt))
+    , worker_([this](const std::stop_token& stop) { work(stop); })
+{}
+
+EmulatedBlock::~EmulatedBlock()
+{
+    worker_.request_stop();
+    wake_.notify_all();
+}
+
+std::uint32_t EmulatedBlock::read(drivers::RegOffset at) noexcept
+{
+    const std::scoped_lock lock(mutex_);
+    if (const auto index = parameter_word(*model_.description, at))
+        return words_[*index];
+    return options_.form == BlockForm::Extended ? read_extended(Register{at.bytes}) : 0;
+}
+
+std::uint32_t EmulatedBlock::read_extended(Register at) const
+{
+    switch (at) {
+    case Register::Id:
+        return protocol::id_value;
+    case Register::Version:
+        return protocol::version_value;
+    case Register::Capability:
+        return protocol::capability_word(*model_.description);
+    case Register::Geometry:
+        return protocol::geometry_word(options_.size);
+    case Register::Control:
+        return control_;
+    case Register::Commit:
+        return 0;
+    case Register::Status:
+        return status_ | (latch_ && (control_ & control::shadow) != 0 ? status::commit_pending : 0);
+    case Register::Frames:
+        return frames_;
+    case Register::Cycles:
+        return cycles_;
+    case Register::ClockHz:
+        return model_.description->clock_hz;
+    case Register::Scratch:
+        return scratch_;
+    }
+    return 0; // an offset that no register has
+}
+
+void EmulatedBlock::write(drivers::RegOffset at, std::uint32_t word) noexcept
+{
+    const std::scoped_lock lock(mutex_);
+    if (const auto index = parameter_word(*model_.description, at)) {
+        words_[*index] = word;
+        if (options_.form == BlockForm::Bare || (control_ & control::shadow) == 0)
+            latch_ = true;
+    } else if (options_.form == BlockForm::Extended) {
+        write_extended(Register{at.bytes}, word);
+    }
+    wake_.notify_all();
+}
+
+void EmulatedBlock::write_extended(Register at, std::uint32_t word)
+{
+    switch (at) {
+    case Register::Control:
+        if ((word & control::soft_reset) != 0)
+            reset();
+        control_ = word & (control::enable | control::interrupt_enable | control::shadow);
+        raise_interrupt();
+        return;
+    case Register::Commit:
+        latch_ = true;
+        return;
+    case Register::Status:
+        if ((word & status::frame_done) != 0)
+            status_ &= ~status::frame_done;
+        return;
+    case Register::Scratch:
+        scratch_ = word;
+        return;
+    case Register::Id:
+    case Register::Version:
+    case Register::Capability:
+    case Register::Geometry:
+    case Register::Frames:
+    case Register::Cycles:
+    case Register::ClockHz:
+        return; // read only
+    }
+}
+
+void EmulatedBlock::reset()
+{
+    words_ = {};
+    latch_ = false;
+    status_ &= status::busy; // a frame that is being drawn goes on to its end
+    frames_ = 0;
+    cycles_ = 0;
+}
+
+/// The line is level: while a frame is done and the interrupt enabled, it shows as soon as it is armed.
+void EmulatedBlock::raise_interrupt()
+{
+    if (!armed_ || (status_ & status::frame_done) == 0 ||
+        (control_ & control::interrupt_enable) == 0)
+        return;
+    armed_ = false;
+    ++interrupts_;
+    const std::uint64_t one = 1;
+    [[maybe_unused]] const auto written = ::write(interrupt_.get(), &one, sizeof one);
+}
+
+int EmulatedBlock::interrupt_fd() const noexcept
+{
+    return options_.form == BlockForm::Extended ? interrupt_.get() : -1;
+}
+
+void EmulatedBlock::arm_interrupt() noexcept
+{
+    const std::scoped_lock lock(mutex_);
+    armed_ = true;
+    raise_interrupt();
+}
+
+Result<std::uint32_t> EmulatedBlock::take_interrupt()
+{
+    std::uint64_t count = 0;
+    if (::read(interrupt_.get(), &count, sizeof count) != static_cast<ssize_t>(sizeof count))
+        return fail(errno_error(ErrorKind::InputOutput, "read", "the emulated interrupt"));
+    const std::scoped_lock lock(mutex_);
+    return interrupts_;
+}
+
+bool EmulatedBlock::frame_can_start() const
+{
+    const bool enabled =
+        options_.form == BlockForm::Bare || (control_ & control::enable) != 0;
+    return latch_ && enabled;
+}
+
+void EmulatedBlock::work(const std::stop_token& stop)
+{
+    engine::Image image(options_.size);
+    std::unique_lock lock(mutex_);
+    while (wake_.wait(lock, stop, [this] { return frame_can_start(); })) {
+        const protocol::Words latched = words_;
+        latch_ = false;
+        status_ |= status::busy;
+
+        lock.unlock();
+        const std::uint64_t cycles =
+            engine::draw(model_, latched, image, options_.threads, stop);
+        if (stop.stop_requested())
+            return;
+        if (sink_)
+            sink_(image);
+        lock.lock();
+
+        status_ = (status_ & ~status::busy) | status::frame_done;
+        ++frames_;
+        cycles_ = static_cast<std::uint32_t>(
+            std::min<std::uint64_t>(cycles, std::numeric_limits<std::uint32_t>::max()));
+        raise_interrupt();
+    }
+}
+
+} // namespace raymarch::emulation

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The register block without a board: the extended registers live, and a worker that draws what the
+/// words say with the engine's model.
+#pragma once
+
+#include "base/unique_fd.hpp"
+#include "drivers/ports.hpp"
+#include "engine/model.hpp"
+#include "protocol/registers.hpp"
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace raymarch::emulation
+{
+
+/// How the block presents itself.
+enum class BlockForm : std::uint8_t {
+    Extended, ///< ID, CONTROL, COMMIT … as in docs/registers.md
+    Bare,     ///< the parameter words only, as in the source: everything else reads 0
+};
+
+struct EmulatedOptions
+{
+    BlockForm form = BlockForm::Extended;
+    engine::PictureSize size{};
+    unsigned threads = 1; ///< of the drawing; 0: one for each processor
+};
+
+/// Called from the worker after each frame.
+using FrameSink = std::function<void(const engine::Image&)>;
+
+/// Behaves as the hardware does, with one saving: a frame is drawn when words have been latched,
+/// not over and over. FRAMES, STATUS and the interrupt count the frames that were drawn.
+/// Registers may be used from one thread; the worker is the block's own.
+class EmulatedBlock final : public drivers::RegisterBus
+{
+  public:
+    /// Errors: Unavailable (no eventfd).
+    [[nodiscard]] static Result<std::unique_ptr<EmulatedBlock>>
+    open(const engine::Model& model, const EmulatedOptions& options, FrameSink sink);
+    ~EmulatedBlock() override;
+
+    [[nodiscard]] std::uint32_t read(drivers::RegOffset at) noexcept override;
+    void write(drivers::RegOffset at, std::uint32_t word) noexcept override;
+    [[nodiscard]] int interrupt_fd() const noexcept override;
+    void arm_interrupt() noexcept override;
+    [[nodiscard]] Result<std::uint32_t> take_interrupt() override;
+    [[nodiscard]] bool lost() const noexcept override { return false; }
+
+  private:
+    EmulatedBlock(const engine::Model& model, const EmulatedOptions& options, FrameSink sink,
+                  UniqueFd interrupt);
+    void work(const std::stop_token& stop);
+    void write_extended(protocol::Register at, std::uint32_t word);
+    [[nodiscard]] std::uint32_t read_extended(protocol::Register at) const;
+    [[nodiscard]] bool frame_can_start() const;
+    void reset();
+    void raise_interrupt();
+
+    const engine::Model& model_;
+    const EmulatedOptions options_;
+    const FrameSink sink_;
+    const UniqueFd interrupt_;
+
+    std::mutex mutex_; ///< guards everything below
+    std::condition_variable_any wake_;
+    protocol::Words words_{}; ///< as written; in shadow mode not yet seen by the ray units
+    bool latch_ = false;      ///< words wait for a frame start
+    bool armed_ = true;
+    std::uint32_t interrupts_ = 0;
+    std::uint32_t control_ = 0;
+    std::uint32_t status_ = 0;
+    std::uint32_t frames_ = 0;
+    std::uint32_t cycles_ = 0;
+    std::uint32_t scratch_ = 0;
+
+    std::jthread worker_; ///< last: it uses all of the above
+};
+
+} // namespace raymarch::emulation

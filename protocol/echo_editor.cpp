@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/echo_editor.hpp"
+
+namespace raymarch::protocol
+{
+
+Typed EchoEditor::type(char c) noexcept
+{
+    constexpr char backspace = '\b';
+    constexpr char del = '\x7F';
+    if (ended_) {
+        size_ = 0;
+        ended_ = false;
+    }
+    const bool lf_of_crlf = c == '\n' && after_cr_;
+    after_cr_ = c == '\r';
+    if (lf_of_crlf)
+        return {};
+    if (c == '\r' || c == '\n') {
+        ended_ = true;
+        return {.echo = "\r\n", .line_ended = true};
+    }
+    if (c == backspace || c == del) {
+        if (size_ == 0)
+            return {};
+        --size_;
+        return {.echo = "\b \b"};
+    }
+    if (size_ == line_.size()) // dropped: the line is too long already
+        return {};
+    line_[size_++] = c;
+    echo_ = c;
+    const bool visible = c >= 0x20 && c <= 0x7E;
+    return {.echo = visible ? std::string_view(&echo_, 1) : std::string_view()};
+}
+
+} // namespace raymarch::protocol
