@@ -56,6 +56,10 @@ ValueText to_text(const Parameter& parameter, std::int64_t code) noexcept
     // One integer bit more: a decimal that is only held at the largest code does not name it.
     Parameter unheld = parameter;
     ++unheld.format.integer_bits;
+    if (code < parameter.min_scaled || code > parameter.max_scaled) { // no frame can set it
+        unheld.min_scaled = parameter.format.min_code();
+        unheld.max_scaled = parameter.format.max_code();
+    }
 
     const bool negative = code < 0;
     const auto magnitude = negative ? std::uint64_t{0} - static_cast<std::uint64_t>(code)

@@ -90,6 +90,7 @@ Request read_request(const Line& line, bool require_checksum) noexcept
         return faulty(request, {.code = ErrorCode::UnknownCommand,
                                 .column = request.text.column,
                                 .word = word});
+    request.command_column = request.text.column;
     request.text = behind;
     if (request.command->words == Arity::Required && behind.empty())
         return faulty(request, {.code = ErrorCode::Argument, .column = behind.column});

@@ -9,6 +9,7 @@
 #include "protocol/line_reader.hpp"
 #include "protocol/text.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -27,6 +28,7 @@ struct Request
     bool checksummed = false; ///< the line carried *HH, so the reply does too
     Text text{};
     const CommandRow* command = nullptr;
+    std::size_t command_column = 0; ///< of the command's word
     Fault fault{};
 };
 

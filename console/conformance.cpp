@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// `raymarchctl conformance`: runs the protocol's tables against a live endpoint, be it this service,
+/// a board over its UART, or somebody's own implementation.
+#include "conformance/table.hpp"
+#include "console/conformance_tables.hpp"
+#include "console/connection.hpp"
+#include "console/subcommands.hpp"
+
+#include <fmt/format.h>
+#include <sysexits.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace raymarch::console
+{
+namespace
+{
+
+constexpr std::chrono::milliseconds quiet{300};
+
+struct Options
+{
+    Endpoint endpoint;
+    bool verbose = false;
+};
+
+/// Bytes as a person can read them in one line.
+std::string visible(std::string_view bytes)
+{
+    constexpr std::size_t longest = 200;
+    std::string text;
+    for (const char c : bytes.substr(0, longest))
+        text += c >= 0x20 && c <= 0x7E ? std::string(1, c)
+                                       : fmt::format("\\x{:02X}", static_cast<unsigned char>(c));
+    if (bytes.size() > longest)
+        text += fmt::format("... ({} bytes)", bytes.size());
+    return text;
+}
+
+/// The byte, from 1, at which a reply leaves its pattern: the end of the longest front of the reply
+/// that some front of the pattern describes.
+std::size_t first_difference(std::string_view pattern, std::string_view reply)
+{
+    for (std::size_t length = std::min(reply.size(), reply.find(" : ")); length > 0; --length)
+        for (std::size_t i = 1; i <= pattern.size(); ++i)
+            if (conformance::match(pattern.substr(0, i), reply.substr(0, length)))
+                return length + 1;
+    return 1;
+}
+
+/// The words in a reply to REGS; nothing when it is something else.
+std::optional<std::vector<std::uint32_t>> words_of(std::string_view reply)
+{
+    std::vector<std::uint32_t> words;
+    if (!reply.starts_with("OK "))
+        return std::nullopt;
+    std::string text(reply.substr(3));
+    for (std::size_t at = 0; at < text.size(); at += 9) {
+        char* end = nullptr;
+        words.push_back(static_cast<std::uint32_t>(std::strtoul(text.c_str() + at, &end, 16)));
+        if (end != text.c_str() + at + 8)
+            return std::nullopt;
+    }
+    return words;
+}
+
+std::string hex(const std::vector<std::uint32_t>& words)
+{
+    std::string text;
+    for (const std::uint32_t word : words)
+        text += fmt::format("{}{:08X}", text.empty() ? "" : " ", word);
+    return text;
+}
+
+class Runner
+{
+  public:
+    Runner(Connection& connection, bool verbose) : connection_(connection), verbose_(verbose) {}
+
+    /// Errors: InputOutput, when the other side cannot be brought to the defaults.
+    Result<void> run(const ConformanceTable& table)
+    {
+        const auto rows = conformance::parse_table(table.text);
+        if (!rows)
+            return fail(plain_error(ErrorKind::BadData, fmt::format("{}: {}", table.name,
+                                                                    rows.error().message)));
+        connection_.drain(quiet); // what an earlier host left behind
+        if (const auto reset = connection_.ask("RESET"); !reset)
+            return fail(reset.error());
+        const auto start = connection_.ask("REGS");
+        if (!start)
+            return fail(start.error());
+        before_ = words_of(start->back()).value_or(std::vector<std::uint32_t>());
+        for (const conformance::Row& row : *rows)
+            judge(table.name, row);
+        return {};
+    }
+
+    [[nodiscard]] unsigned passed() const noexcept { return passed_; }
+    [[nodiscard]] unsigned failed() const noexcept { return failed_; }
+
+  private:
+    void judge(std::string_view table, const conformance::Row& row)
+    {
+        const std::string difference = run_row(row);
+        if (difference.empty()) {
+            ++passed_;
+            if (verbose_)
+                fmt::print("ok {}.tsv:{} {}\n", table, row.line, row.why);
+            return;
+        }
+        ++failed_;
+        fmt::print("FAILED {}.tsv:{} {}\n  sent     {}\n{}", table, row.line, row.why,
+                   visible(row.send), difference);
+        connection_.drain(quiet); // the next row starts in step again
+        if (const auto now = connection_.ask("REGS"))
+            before_ = words_of(now->back()).value_or(before_);
+    }
+
+    /// What differs, in lines; empty when nothing does. REGS behind the row's own bytes ends its
+    /// replies, whatever their number, and shows the words.
+    std::string run_row(const conformance::Row& row)
+    {
+        if (const auto sent = connection_.send(row.send + "REGS\n"); !sent)
+            return fmt::format("  {}\n", sent.error().message);
+        for (const std::string& pattern : row.replies) {
+            const auto reply = connection_.receive();
+            if (!reply)
+                return fmt::format("  expected {}\n  {}\n", pattern, reply.error().message);
+            if (!conformance::match(pattern, *reply))
+                return fmt::format("  expected {}\n  got      {}\n  differs from byte {} on\n",
+                                   pattern, visible(*reply), first_difference(pattern, *reply));
+        }
+        const auto regs = connection_.receive();
+        if (!regs)
+            return fmt::format("  expected the reply to REGS\n  {}\n", regs.error().message);
+        const auto words = words_of(*regs);
+        if (!words)
+            return fmt::format("  expected no further reply\n  got      {}\n", visible(*regs));
+        const std::vector<std::uint32_t> old = std::exchange(before_, *words);
+        const auto& wanted = row.words_check == conformance::WordsCheck::Same ? old : row.words;
+        if (row.words_check != conformance::WordsCheck::Unchecked && *words != wanted)
+            return fmt::format("  expected words {}\n  got      words {}\n", hex(wanted),
+                               hex(*words));
+        return {};
+    }
+
+    Connection& connection_;
+    bool verbose_;
+    std::vector<std::uint32_t> before_;
+    unsigned passed_ = 0;
+    unsigned failed_ = 0;
+};
+
+int run_conformance(const Options& options)
+{
+    auto connection = Connection::open(options.endpoint);
+    if (!connection) {
+        report(connection.error());
+        return EX_UNAVAILABLE;
+    }
+    Runner runner(*connection, options.verbose);
+    for (const ConformanceTable& table : conformance_tables()) {
+        if (const auto result = runner.run(table); !result) {
+            fmt::print(stderr, "raymarchctl: {}: {}\n", table.name, result.error().message);
+            return EX_UNAVAILABLE;
+        }
+    }
+    static_cast<void>(connection->ask("RESET")); // leave the defaults behind
+    fmt::print("{} passed, {} failed\n", runner.passed(), runner.failed());
+    return runner.failed() == 0 ? EX_OK : status_err_reply;
+}
+
+} // namespace
+
+void add_conformance(CLI::App& app, Run& run)
+{
+    CLI::App* const command = app.add_subcommand(
+        "conformance", "runs the protocol's tables against a live endpoint; ends with a count");
+    const auto options = std::make_shared<Options>();
+    add_endpoint_options(*command, options->endpoint);
+    command->add_flag("--verbose", options->verbose, "prints the rows that pass as well");
+    command->callback([options, &run] { run = [options] { return run_conformance(*options); }; });
+}
+
+} // namespace raymarch::console

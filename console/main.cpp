@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "console/subcommands.hpp"
+
+#include <fmt/format.h>
+#include <sysexits.h>
+
+#include <cstdio>
+
+namespace raymarch::console
+{
+
+int report(const Error& error)
+{
+    fmt::print(stderr, "raymarchctl: {}\n", error.message);
+    return exit_status(error.kind);
+}
+
+} // namespace raymarch::console
+
+int main(int argc, char** argv)
+{
+    namespace console = raymarch::console;
+    CLI::App app("raymarchctl: the tool beside raymarchd", "raymarchctl");
+    app.set_version_flag("--version", "raymarchctl " RAYMARCH_VERSION);
+    app.require_subcommand(1);
+    console::Run run;
+    for (const auto add : {console::add_encode, console::add_decode, console::add_render,
+                           console::add_send, console::add_console, console::add_status,
+                           console::add_watch, console::add_conformance})
+        add(app, run);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? EX_OK : EX_USAGE;
+    }
+    return run();
+}
