@@ -198,8 +198,8 @@ Result<std::vector<Row>> parse_table(std::string_view text)
             continue;
         auto row = parse_row(line);
         if (!row)
-            return fail(plain_error(ErrorKind::BadData, "line " + std::to_string(number) + ": " +
-                                                            row.error().message));
+            return fail(plain_error(ErrorKind::BadData,
+                                    "line " + std::to_string(number) + ": " + row.error().message));
         row->line = number;
         rows.push_back(std::move(*row));
     }

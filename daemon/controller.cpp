@@ -21,6 +21,21 @@ Fault argument_fault(Text words, std::string_view allowed) noexcept
     return {.code = ErrorCode::Argument, .column = words.column, .allowed = allowed};
 }
 
+/// The first word, and a fault for a second one.
+struct OneWord
+{
+    std::string_view word;
+    std::optional<Fault> more;
+};
+OneWord one_word(Text words, std::string_view allowed) noexcept
+{
+    const std::size_t end = std::min(words.bytes.find_first_of(" \t"), words.bytes.size());
+    OneWord result{words.bytes.substr(0, end), std::nullopt};
+    if (end < words.bytes.size())
+        result.more = argument_fault(words.from(end).trimmed(), allowed);
+    return result;
+}
+
 } // namespace
 
 Controller::Controller(const Accelerator& accelerator, Policy policy, Board& board,
@@ -241,9 +256,13 @@ Controller::Outcome Controller::preset(Text words)
 
 Controller::Outcome Controller::echo(Text words, SessionSettings& session)
 {
-    const bool on = equal_ignoring_case(words.bytes, "on");
-    if (!on && !equal_ignoring_case(words.bytes, "off"))
-        return argument_fault(words, "ECHO takes on or off");
+    constexpr std::string_view allowed = "ECHO takes on or off";
+    const OneWord first = one_word(words, allowed);
+    const bool on = equal_ignoring_case(first.word, "on");
+    if (!on && !equal_ignoring_case(first.word, "off"))
+        return argument_fault(words, allowed);
+    if (first.more)
+        return first.more;
     session.echo = on;
     ok();
     return std::nullopt;
@@ -253,13 +272,12 @@ Controller::Outcome Controller::group(Text words, std::string_view& name) const
 {
     if (words.empty())
         return std::nullopt;
-    // Two words: the second one is at fault, if the first is a group.
-    const std::size_t end = std::min(words.bytes.find_first_of(" \t"), words.bytes.size());
-    const auto found = find_group(accelerator_, words.bytes.substr(0, end));
+    const OneWord first = one_word(words, "one group, or none for all");
+    const auto found = find_group(accelerator_, first.word);
     if (!found)
         return argument_fault(words, "HELP RESET names the groups");
-    if (end < words.bytes.size())
-        return argument_fault(words.from(end).trimmed(), "one group, or none for all");
+    if (first.more)
+        return first.more;
     name = *found;
     return std::nullopt;
 }

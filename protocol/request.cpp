@@ -75,6 +75,7 @@ Request read_request(const Line& line, bool require_checksum) noexcept
     if (auto fault = check_mark(request, require_checksum))
         return faulty(request, *fault);
 
+    request.text.bytes = without_trailing_blanks(request.text.bytes);
     request.text = request.text.trimmed();
     const std::string_view bytes = request.text.bytes;
     const std::size_t word_end = std::min(bytes.find_first_of(" \t,="), bytes.size());

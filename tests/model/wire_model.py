@@ -268,25 +268,24 @@ def plain_decimal(value: Fraction, places: int) -> str:
     return sign + digits[: len(digits) - places] + ("." + digits[-places:] if places else "")
 
 
+def nearest(value: Fraction) -> int:
+    """The nearest integer, ties away from zero."""
+    size = math.floor(abs(value) + Fraction(1, 2))
+    return -size if value < 0 else size
+
+
 def shortest_decimal(code: int, field: Field) -> str:
-    """Fewest places, then the nearest, of the decimals that a host may send back for this code.
+    """With the fewest places whose nearest decimal a host may send back for this code.
 
     A decimal that only the hold at the largest code brings back (1 for 0.999992) does not count,
-    and one outside the range (63.9 for 63.875) would be refused.
+    and one outside the range (63.9 and 63.88 for 63.875) would be refused.
     """
     exact = Fraction(code, 2**field.fraction)
     places = 0
     while True:
-        tens = 10**places
-        below = math.floor(exact * tens)
-        good = [
-            n for n in (below, below + 1)
-            if field.low <= Fraction(n, tens) <= field.high
-            and round(Fraction(n, tens) * 2**field.fraction) == code
-        ]  # fmt: skip
-        if good:
-            nearest = min(good, key=lambda n: abs(exact * tens - n))
-            return plain_decimal(Fraction(nearest, tens), places)
+        decimal = Fraction(nearest(exact * 10**places), 10**places)
+        if field.low <= decimal <= field.high and round(decimal * 2**field.fraction) == code:
+            return plain_decimal(decimal, places)
         places += 1
 
 
@@ -311,14 +310,22 @@ def encode(line: bytes) -> str | None:
 # Commands ----------------------------------------------------------------------------------------
 
 
-def read_numbers(text: str, start: int, limits: list[tuple[str, str]]) -> list[Fraction]:
+class Limits(NamedTuple):
+    """The range of one of a command's numbers, and its key if it is a parameter."""
+
+    low: str
+    high: str
+    key: str | None = None
+
+
+def read_numbers(text: str, start: int, limits: list[Limits]) -> list[Fraction]:
     values = []
     piece = Piece("", start + 1, start)
-    for low, high in limits:
+    for low, high, key in limits:
         piece = take(text, start, ",")
         value = parse_number(piece.text)
         if value is None or not Fraction(low) <= value <= Fraction(high):
-            raise Fault("ARGUMENT", piece.col)
+            raise Fault("ARGUMENT", piece.col, key)
         values.append(value)
         start = min(piece.end + 1, len(text))
     if piece.end < len(text):
@@ -404,11 +411,11 @@ class Session:
         return self.apply(read_pairs(text, start), may_reject=True)
 
     def view(self, text: str, start: int) -> str:
-        limits = [("-1000000", "1000000"), ("-89.9", "89.9"), ("0", "10")]
+        limits = [Limits("-1000000", "1000000"), Limits("-89.9", "89.9"), Limits("0", "10", "ZM")]
         return self.apply(orbit(*read_numbers(text, start, limits)))
 
     def hue(self, text: str, start: int) -> str:
-        return self.apply(hue_colour(*read_numbers(text, start, [("0", "1")])))
+        return self.apply(hue_colour(*read_numbers(text, start, [Limits("0", "1")])))
 
     def get(self, text: str, start: int) -> str:
         asked: list[str] = []

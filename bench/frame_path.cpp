@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Question: what does a frame cost the processor, from its bytes to the register page?
+///
+/// frame_path.py answers the same for the way of the source's script, with the same frames. Beside
+/// the frame: the whole session (basis check, read-back, reply), other orders, chunks and numbers.
+#include "daemon/register_path.hpp"
+#include "daemon/session.hpp"
+#include "drivers/mapped_window.hpp"
+#include "protocol/accelerators.hpp"
+#include "protocol/assignments.hpp"
+#include "protocol/line_reader.hpp"
+#include "protocol/quantizer.hpp"
+#include "protocol/registers.hpp"
+#include "protocol/reply.hpp"
+#include "protocol/request.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <numeric>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace
+{
+
+using namespace raymarch;           // NOLINT(google-build-using-namespace)
+using namespace raymarch::protocol; // NOLINT(google-build-using-namespace)
+
+const Accelerator& accelerator = marcher::description;
+const Parameter& zoom = marcher::parameters[marcher::ZM];
+
+/// A round of frames; many different ones, so that the branch predictor does not learn one line.
+using Frames = std::vector<std::string>;
+
+[[noreturn]] void give_up(const std::string& message)
+{
+    std::cerr << "bench_frame_path: " << message << '\n';
+    std::exit(EXIT_FAILURE);
+}
+
+Frames read_frames()
+{
+    Frames frames;
+    std::ifstream file(RAYMARCH_BENCH_FRAMES);
+    for (std::string line; std::getline(file, line);)
+        if (!line.starts_with('#'))
+            frames.push_back(line + "\r\n");
+    if (frames.empty())
+        give_up("no frames in " RAYMARCH_BENCH_FRAMES);
+    return frames;
+}
+
+const Frames& mixed_frames()
+{
+    static const Frames frames = read_frames();
+    return frames;
+}
+
+/// The one frame of the source's listing, over and over.
+Frames first_frame()
+{
+    return {mixed_frames().front()};
+}
+
+/// The same frames, each with its pairs in an order of its own.
+Frames shuffled_frames()
+{
+    std::mt19937 random(17); // NOLINT(cert-msc51-cpp): the same order in every run
+    Frames shuffled;
+    for (const std::string& frame : mixed_frames()) {
+        std::vector<std::string> pairs;
+        Text rest{.bytes = std::string_view(frame).substr(0, frame.size() - 2)};
+        for (bool more = true; more;) {
+            const Piece pair = take_until(rest, ',');
+            more = pair.found;
+            pairs.emplace_back(pair.text.bytes);
+        }
+        std::ranges::shuffle(pairs, random);
+        const auto join = [](std::string line, const std::string& pair) {
+            return std::move(line) + ',' + pair;
+        };
+        shuffled.push_back(std::accumulate(pairs.begin() + 1, pairs.end(), pairs.front(), join) +
+                           "\r\n");
+    }
+    return shuffled;
+}
+
+/// A register page in a file that has no name any more.
+std::unique_ptr<drivers::MappedWindow> register_page()
+{
+    std::string path = (std::getenv("TMPDIR") != nullptr ? std::getenv("TMPDIR") : "/tmp");
+    path += "/raymarch-bench-XXXXXX";
+    const UniqueFd fd(::mkstemp(path.data()));
+    if (!fd)
+        give_up("no temporary file at " + path);
+    auto window = drivers::MappedWindow::open_file(path, register_page_bytes);
+    ::unlink(path.c_str());
+    if (!window)
+        give_up(window.error().message);
+    return std::move(*window);
+}
+
+void store(drivers::RegisterBus& page, const Words& words)
+{
+    for (std::size_t i = 0; i < accelerator.word_count; ++i)
+        page.write({static_cast<std::uint16_t>(accelerator.first_word_offset + 4 * i)}, words[i]);
+}
+
+/// All lines that `bytes` ends.
+void take(LineReader& reader, std::string_view bytes, drivers::RegisterBus& page)
+{
+    while (const auto line = reader.next(bytes)) {
+        const Request request = read_request(*line, false);
+        State state;
+        if (request.kind != Request::Kind::Frame || read_frame(accelerator, request.text, state))
+            give_up("refused: " + std::string(line->bytes));
+        store(page, pack(accelerator, state));
+    }
+}
+
+/// One frame an iteration, in chunks of at most `chunk` bytes.
+void run_frames(benchmark::State& state, const Frames& frames, std::size_t chunk)
+{
+    const auto page = register_page();
+    LineReader reader;
+    std::size_t next = 0;
+    for (auto _ : state) {
+        std::string_view frame = frames[next];
+        benchmark::DoNotOptimize(frame);
+        while (!frame.empty()) {
+            const std::string_view piece = frame.substr(0, chunk);
+            frame.remove_prefix(piece.size());
+            take(reader, piece, *page);
+        }
+        benchmark::ClobberMemory();
+        next = next + 1 == frames.size() ? 0 : next + 1;
+    }
+}
+
+/// The registers alone: what of the above is the page's.
+void stores(benchmark::State& state)
+{
+    const auto page = register_page();
+    Words words = pack(accelerator, initial_state(accelerator));
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(words);
+        store(*page, words);
+    }
+}
+
+struct PlainBoard final : daemon::Board
+{
+    std::unique_ptr<drivers::MappedWindow> page = register_page();
+    Result<daemon::RegisterPath> path = daemon::RegisterPath::probe(*page, accelerator);
+    daemon::Applied apply(const Words& words) override { return path->apply(words); }
+};
+struct NoStorage final : daemon::Storage
+{
+    void changed(const State&) override {}
+    bool save(const State&) override { return false; }
+    std::optional<State> load() override { return std::nullopt; }
+};
+struct NoStatus final : daemon::StatusSource
+{
+    void write_status(ReplyWriter&) override {}
+};
+
+/// All that the service does between reading from the port and writing the reply to it.
+void session(benchmark::State& state)
+{
+    PlainBoard board;
+    NoStorage storage;
+    NoStatus status;
+    daemon::Controller controller(accelerator, {}, board, storage, status, 1);
+    daemon::Session session(controller);
+    const Frames& frames = mixed_frames();
+    std::size_t next = 0;
+    for (auto _ : state) {
+        std::string_view frame = frames[next];
+        benchmark::DoNotOptimize(frame);
+        session.receive(frame);
+        benchmark::DoNotOptimize(session.output().pending().data());
+        benchmark::ClobberMemory();
+        session.output().clear();
+        next = next + 1 == frames.size() ? 0 : next + 1;
+    }
+    if (controller.last_refused())
+        give_up("the session refused a frame");
+}
+
+void number(benchmark::State& state, std::string_view text)
+{
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(text);
+        auto code = quantize(zoom, text);
+        benchmark::DoNotOptimize(code);
+    }
+}
+
+/// The answer to GET, for the states of the mixed frames.
+void get(benchmark::State& state)
+{
+    std::vector<State> states;
+    for (const std::string& frame : mixed_frames()) {
+        State& read = states.emplace_back();
+        const std::string_view text = std::string_view(frame).substr(0, frame.size() - 2);
+        if (read_frame(accelerator, {.bytes = text}, read))
+            give_up("refused: " + frame);
+    }
+    ReplyWriter reply;
+    std::size_t next = 0;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(states[next]);
+        reply.begin(false);
+        reply << "OK ";
+        write_state(reply, accelerator, states[next]);
+        reply.end_line();
+        benchmark::DoNotOptimize(reply.text().data());
+        benchmark::ClobberMemory();
+        next = next + 1 == states.size() ? 0 : next + 1;
+    }
+}
+
+constexpr std::size_t whole_line = max_line_length;
+constexpr std::size_t uart_fifo = 16;
+constexpr std::string_view longest_number = "2.718281828459045235360287471352";
+static_assert(longest_number.size() == max_number_length);
+
+} // namespace
+
+BENCHMARK_CAPTURE(run_frames, one, first_frame(), whole_line)->Name("frame/one");
+BENCHMARK_CAPTURE(run_frames, mixed, mixed_frames(), whole_line)->Name("frame/mixed");
+BENCHMARK_CAPTURE(run_frames, any_order, shuffled_frames(), whole_line)->Name("frame/any_order");
+BENCHMARK_CAPTURE(run_frames, chunks, mixed_frames(), uart_fifo)->Name("frame/chunks_of_16");
+BENCHMARK(stores)->Name("stores");
+BENCHMARK(session)->Name("session/mixed");
+BENCHMARK_CAPTURE(number, source, "3.00")->Name("number/source");
+BENCHMARK_CAPTURE(number, longest, longest_number)->Name("number/longest");
+BENCHMARK(get)->Name("get");
+BENCHMARK_MAIN();

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/dequantizer.hpp"
+
+#include "protocol/accelerators/marcher.hpp"
+#include "tests/fakes/random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace raymarch::protocol
+{
+namespace
+{
+
+struct TextRow
+{
+    marcher::Index parameter;
+    std::int64_t code;
+    std::string_view text;
+    std::string_view why;
+};
+
+constexpr std::array rows = {
+    TextRow{marcher::FX, 0, "0", "no sign, no point"},
+    TextRow{marcher::FX, 131071, "0.99999", "1 would come back only because it is held"},
+    TextRow{marcher::FX, -131072, "-1", "the lower end is exact"},
+    TextRow{marcher::FX, 1, "0.00001", "2^-17 = 0.0000076..."},
+    TextRow{marcher::FX, -1, "-0.00001", "the same below zero; never -0"},
+    TextRow{marcher::FX, 65536, "0.5", "exact"},
+    TextRow{marcher::FX, 2, "0.00002", "0.0000153 to five places; 0.0000 would be 0"},
+    TextRow{marcher::LX, 24, "3", "whole"},
+    TextRow{marcher::LX, 1, "0.1", "0.125: 0.1 is 0.8 units"},
+    TextRow{marcher::LX, 2, "0.3", "0.25: halfway, so away from zero"},
+    TextRow{marcher::LX, -2, "-0.3", "the same below zero"},
+    TextRow{marcher::LX, 511, "63.875", "63.9 and 63.88 are out of range"},
+    TextRow{marcher::LX, 510, "63.8", "63.75: halfway, away from zero, 510.4 units"},
+    TextRow{marcher::LX, -511, "-63.9", "in range on this side"},
+    TextRow{marcher::LX, -512, "-64", "the lower end"},
+    TextRow{marcher::R, 1023, "0.999", "0.99902"},
+    TextRow{marcher::R, 1, "0.001", "0.00098"},
+    TextRow{marcher::R, 64, "0.0625", "0.063 would be 64.5 units"},
+    TextRow{marcher::ZM, 1, "0.00000006", "never an exponent"},
+    TextRow{marcher::ZM, 167'772'160, "10", "the upper end"},
+    TextRow{marcher::ZM, 167'772'159, "9.99999994", "one step below it"},
+    TextRow{marcher::ZM, 52'707'179, "3.1415927", "seven places"},
+    TextRow{marcher::OBJ, 0, "sphere", "a choice has a name"},
+    TextRow{marcher::OBJ, 2, "infinite_cube", "a long one"},
+};
+
+TEST(Dequantizer, FewestPlacesThatComeBack)
+{
+    for (const TextRow& row : rows) {
+        const Parameter& parameter = marcher::parameters[row.parameter];
+        EXPECT_EQ(to_text(parameter, row.code).view(), row.text)
+            << parameter.key << " code " << row.code << ": " << row.why;
+    }
+}
+
+__extension__ typedef __int128 Exact; // NOLINT(modernize-use-using)
+
+/// numerator / denominator, ties away from zero or to even; both positive.
+Exact divide_to_nearest(Exact numerator, Exact denominator, bool ties_to_even)
+{
+    const Exact floor = numerator / denominator;
+    const Exact doubled_rest = 2 * (numerator % denominator);
+    if (doubled_rest == denominator)
+        return floor + (ties_to_even ? floor & 1 : 1);
+    return floor + (doubled_rest > denominator ? 1 : 0);
+}
+
+/// The places that the shortest text of `code` has, by integer arithmetic on the definition.
+int fewest_places(const Parameter& parameter, std::int64_t code)
+{
+    const Exact one = Exact{1} << parameter.format.fraction_bits;
+    const Exact magnitude = code < 0 ? -code : code;
+    const Exact limit = code < 0 ? -parameter.min_scaled : parameter.max_scaled;
+    Exact tens = 1;
+    for (int places = 0;; ++places, tens *= 10) {
+        const Exact decimal = divide_to_nearest(magnitude * tens, one, false);
+        if (decimal * one <= limit * tens &&
+            divide_to_nearest(decimal * one, tens, true) == magnitude)
+            return places;
+    }
+}
+
+int places_of(std::string_view text)
+{
+    const std::size_t point = text.find('.');
+    return point == std::string_view::npos ? 0 : static_cast<int>(text.size() - point - 1);
+}
+
+void expect_fewest_places(const Parameter& parameter, std::int64_t code)
+{
+    const ValueText text = to_text(parameter, code);
+    ASSERT_EQ(places_of(text.view()), fewest_places(parameter, code))
+        << parameter.key << " code " << code << " as " << text.view();
+}
+
+TEST(Dequantizer, NoFewerPlacesWouldDo)
+{
+    for (std::int64_t code = -512; code <= 511; ++code)
+        expect_fewest_places(marcher::parameters[marcher::LX], code);
+    for (std::int64_t code = 0; code <= 1023; ++code)
+        expect_fewest_places(marcher::parameters[marcher::R], code);
+    for (std::int64_t code = -131072; code <= 131071; ++code)
+        expect_fewest_places(marcher::parameters[marcher::FX], code);
+    auto random = test::seeded_random();
+    for (int i = 0; i < 50'000; ++i)
+        expect_fewest_places(marcher::parameters[marcher::ZM],
+                             test::pick<std::int64_t>(random, 0, 167'772'160));
+}
+
+TEST(Dequantizer, CodesThatNoTextGivesArePrintedExactly)
+{
+    // A register may hold a zoom above 10; it is shown, though it cannot be sent back.
+    const Parameter& zoom = marcher::parameters[marcher::ZM];
+    EXPECT_EQ(to_text(zoom, 0xFFFF'FFFF).view(), "255.999999940395355225");
+}
+
+} // namespace
+} // namespace raymarch::protocol

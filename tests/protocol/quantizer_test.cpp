@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Expected codes are worked out by hand: half a unit is 2^-(f+1), and its odd multiples are the
+/// ties.
+#include "protocol/quantizer.hpp"
+
+#include "protocol/accelerators/marcher.hpp"
+#include "protocol/dequantizer.hpp"
+#include "tests/fakes/random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace raymarch::protocol
+{
+namespace
+{
+
+constexpr const Parameter& direction = marcher::parameters[marcher::FX]; // Q1.17
+constexpr const Parameter& light = marcher::parameters[marcher::LX];     // Q7.3
+constexpr const Parameter& colour = marcher::parameters[marcher::R];     // UQ0.10
+constexpr const Parameter& zoom = marcher::parameters[marcher::ZM];      // UQ8.24
+
+struct CodeRow
+{
+    const Parameter* parameter;
+    std::string_view text;
+    std::int64_t code;
+    std::string_view why;
+};
+
+constexpr std::array code_rows = {
+    CodeRow{&direction, "0", 0, "zero"},
+    CodeRow{&direction, "-0.0", 0, "every zero is the same zero"},
+    CodeRow{&direction, "0.00000762939453125", 1, "2^-17"},
+    CodeRow{&direction, "0.000003814697265625", 0, "2^-18: tie, to the even 0"},
+    CodeRow{&direction, "-0.000003814697265625", 0, "the same below zero"},
+    CodeRow{&direction, "0.0000038146972656250000001", 1, "a little more than the tie"},
+    CodeRow{&direction, "0.0000038146972656249999999", 0, "a little less"},
+    CodeRow{&direction, "0.000011444091796875", 2, "3 * 2^-18: tie, to the even 2"},
+    CodeRow{&direction, "-0.000011444091796875", -2, "the same below zero"},
+    CodeRow{&direction, "0.000019073486328125", 2, "5 * 2^-18: tie, to the even 2"},
+    CodeRow{&direction, "0.342", 44827, "0.342 * 131072 = 44826.6"},
+    CodeRow{&direction, "0.940", 123208, "123207.7"},
+    CodeRow{&direction, "-0.5", -65536, "exact"},
+    CodeRow{&direction, "1", 131071, "held at the largest code"},
+    CodeRow{&direction, "0.999992370605468750", 131071, "1 - 2^-17: exact"},
+    CodeRow{&direction, "0.999996185302734375", 131071, "a tie towards 131072, and held"},
+    CodeRow{&direction, "-1", -131072, "the lower end is a code"},
+    CodeRow{&direction, "-0.999996185302734375", -131072, "a tie, to the even -131072"},
+    CodeRow{&direction, "1e-999", 0, "too small for any unit"},
+    CodeRow{&direction, "-1e-999", 0, "and below zero"},
+
+    CodeRow{&light, "0.0625", 0, "half a unit: tie, to 0"},
+    CodeRow{&light, "-0.0625", 0, "the same below zero"},
+    CodeRow{&light, "0.0625000001", 1, "a little more"},
+    CodeRow{&light, "0.1875", 2, "1.5 units: tie, to 2"},
+    CodeRow{&light, "0.3125", 2, "2.5 units: tie, to 2"},
+    CodeRow{&light, "-0.3125", -2, "the same below zero"},
+    CodeRow{&light, "0.4375", 4, "3.5 units: tie, to 4"},
+    CodeRow{&light, "63.875", 511, "the upper end"},
+    CodeRow{&light, "63.8125", 510, "510.5: tie, to the even 510"},
+    CodeRow{&light, "63.813", 511, "a little more"},
+    CodeRow{&light, "-64", -512, "the lower end"},
+    CodeRow{&light, "-63.9375", -512, "511.5: tie, to the even 512"},
+    CodeRow{&light, "-63.9374", -511, "a little nearer to zero"},
+
+    CodeRow{&colour, "0.00048828125", 0, "2^-11: tie, to 0"},
+    CodeRow{&colour, "0.00146484375", 2, "3 * 2^-11: tie, to 2"},
+    CodeRow{&colour, "0.5", 512, "exact"},
+    CodeRow{&colour, "0.498", 510, "509.95"},
+    CodeRow{&colour, "1", 1023, "held"},
+    CodeRow{&colour, "1.000", 1023, "held, with zeros"},
+    CodeRow{&colour, "0.99951171875", 1023, "1023.5: a tie towards 1024, and held"},
+    CodeRow{&colour, "0.9990234375", 1023, "exact"},
+    CodeRow{&colour, "-0.000", 0, "a negative zero is zero"},
+
+    CodeRow{&zoom, "3", 50331648, "3 * 2^24"},
+    CodeRow{&zoom, "2.50", 41943040, "2.5 * 2^24"},
+    CodeRow{&zoom, "10", 167772160, "the upper end"},
+    CodeRow{&zoom, "1e1", 167772160, "the same with an exponent"},
+    CodeRow{&zoom, "0.0000000298023223876953125", 0, "2^-25: tie, to 0"},
+    CodeRow{&zoom, "0.00000002980232238769531250001", 1, "a little more, in the 29th place"},
+    CodeRow{&zoom, "0.0000000894069671630859375", 2, "3 * 2^-25: tie, to 2"},
+    CodeRow{&zoom, "9.9999999701976776123046875", 167772160, "10 - 2^-25: tie, to the even code"},
+    CodeRow{&zoom, "9.99999997019767761230468749", 167772159, "a little less"},
+    CodeRow{&zoom, "3.14159265358979", 52707179, "52707178.5..."},
+};
+
+TEST(Quantizer, TiesAndEnds)
+{
+    for (const CodeRow& row : code_rows) {
+        const auto code = quantize(*row.parameter, row.text);
+        ASSERT_TRUE(code) << row.parameter->key << '=' << row.text << ": " << row.why;
+        EXPECT_EQ(*code, row.code) << row.parameter->key << '=' << row.text << ": " << row.why;
+    }
+}
+
+struct FaultRow
+{
+    const Parameter* parameter;
+    std::string_view text;
+    ErrorCode error;
+};
+
+constexpr std::array fault_rows = {
+    FaultRow{&direction, "1.0000000000000000000000000001", ErrorCode::Range},
+    FaultRow{&direction, "-1.0000000000000000000000000001", ErrorCode::Range},
+    FaultRow{&direction, "1.000001", ErrorCode::Range},
+    FaultRow{&direction, "2", ErrorCode::Range},
+    FaultRow{&direction, "1e999", ErrorCode::Range},
+    FaultRow{&direction, "-1e999", ErrorCode::Range},
+    FaultRow{&light, "63.8750000000000000001", ErrorCode::Range},
+    FaultRow{&light, "63.88", ErrorCode::Range}, // would round to a code that is in range
+    FaultRow{&light, "64", ErrorCode::Range},
+    FaultRow{&light, "-64.00000000000000000000000001", ErrorCode::Range},
+    FaultRow{&colour, "1.0000000000000000000001", ErrorCode::Range},
+    FaultRow{&colour, "-0.00000000000000000000000001", ErrorCode::Range},
+    FaultRow{&colour, "-1e-999", ErrorCode::Range},
+    FaultRow{&zoom, "10.00000000000000000000000001", ErrorCode::Range},
+    FaultRow{&zoom, "10.1", ErrorCode::Range},
+    FaultRow{&zoom, "-1", ErrorCode::Range},
+    FaultRow{&zoom, "18446744073709551616", ErrorCode::Range},
+    FaultRow{&zoom, "99999999999999999999999999999999", ErrorCode::Range},
+    FaultRow{&zoom, "", ErrorCode::Number},
+    FaultRow{&zoom, ".", ErrorCode::Number},
+    FaultRow{&zoom, "-", ErrorCode::Number},
+    FaultRow{&zoom, "1e", ErrorCode::Number},
+    FaultRow{&zoom, "0x1", ErrorCode::Number},
+    FaultRow{&zoom, "inf", ErrorCode::Number},
+    FaultRow{&zoom, "0.0000000000000000000000000000000", ErrorCode::Number}, // 33 characters
+};
+
+TEST(Quantizer, FaultsAreJudgedOnTheDecimalAsWritten)
+{
+    for (const FaultRow& row : fault_rows) {
+        const auto code = quantize(*row.parameter, row.text);
+        ASSERT_FALSE(code) << row.parameter->key << '=' << row.text;
+        EXPECT_EQ(code.error(), row.error) << row.parameter->key << '=' << row.text;
+    }
+}
+
+/// code -> text -> code, every `stride`-th code from `first` to `last`.
+void expect_codes_to_come_back(const Parameter& parameter, std::int64_t first, std::int64_t last,
+                               std::int64_t stride)
+{
+    for (std::int64_t code = first; code <= last; code += stride) {
+        const ValueText text = to_text(parameter, code);
+        const auto back = quantize(parameter, text.view());
+        ASSERT_TRUE(back) << parameter.key << " code " << code << " as " << text.view();
+        ASSERT_EQ(*back, code) << parameter.key << " as " << text.view();
+    }
+}
+
+TEST(Quantizer, EveryCodeComesBackFromItsText)
+{
+    expect_codes_to_come_back(direction, -131072, 131071, 1);
+    expect_codes_to_come_back(light, -512, 511, 1);
+    expect_codes_to_come_back(colour, 0, 1023, 1);
+}
+
+TEST(Quantizer, ZoomCodesComeBackFromTheirText)
+{
+    constexpr std::int64_t largest = 167'772'160;
+    expect_codes_to_come_back(zoom, 0, largest, 1009); // a prime: no low bit is left out
+    expect_codes_to_come_back(zoom, 0, 4096, 1);
+    expect_codes_to_come_back(zoom, largest - 4096, largest, 1);
+    for (int bit = 0; bit < 28; ++bit)
+        expect_codes_to_come_back(zoom, (std::int64_t{1} << bit) - 1, (std::int64_t{1} << bit) + 1,
+                                  1);
+}
+
+std::string random_number(std::mt19937_64& random)
+{
+    constexpr std::string_view alphabet = "0123456789012345678901234567890123456789.....+-eE x";
+    std::string text;
+    if (test::pick(random, 0, 9) == 0) { // anything, mostly no number
+        for (int i = test::pick(random, 0, 34); i > 0; --i)
+            text += alphabet[test::pick(random, std::size_t{0}, alphabet.size() - 1)];
+        return text;
+    }
+    text = std::array{"", "", "-", "+"}[test::pick(random, std::size_t{0}, std::size_t{3})];
+    for (int i = test::pick(random, 0, 3); i > 0; --i)
+        text += static_cast<char>('0' + test::pick(random, 0, 9));
+    if (test::pick(random, 0, 3) > 0)
+        text += '.';
+    for (int i = test::pick(random, 0, 19); i > 0; --i)
+        text += static_cast<char>('0' + test::pick(random, 0, 9));
+    return text;
+}
+
+TEST(Quantizer, TheShortWayAgreesWithTheGeneralOne)
+{
+    auto random = test::seeded_random();
+    int numbers = 0;
+    for (int i = 0; i < 200'000; ++i) {
+        const std::string text = random_number(random);
+        for (const Parameter* parameter : {&direction, &light, &colour, &zoom}) {
+            const auto quick = quantize(*parameter, text);
+            const auto general = quantize_any_length(*parameter, text);
+            ASSERT_EQ(quick, general) << parameter->key << '=' << text;
+            numbers += quick ? 1 : 0;
+        }
+    }
+    EXPECT_GT(numbers, 100'000); // or the texts have become useless
+}
+
+} // namespace
+} // namespace raymarch::protocol

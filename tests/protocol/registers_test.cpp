@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "protocol/registers.hpp"
+
+#include "protocol/accelerators.hpp"
+#include "tests/fakes/random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bitset>
+#include <set>
+#include <string>
+
+namespace raymarch::protocol
+{
+namespace
+{
+
+constexpr const Accelerator& accelerator = marcher::description;
+
+/// The words as one string of bits, word 0 first, each from bit 31 down.
+std::string bits_of(const Words& words)
+{
+    std::string bits;
+    for (std::size_t i = 0; i < accelerator.word_count; ++i)
+        bits += std::bitset<32>(words[i]).to_string();
+    return bits;
+}
+
+// The fields of the eight words in their order, by hand; an 18-bit Y runs over the border of two
+// words.
+const std::string object_sphere = "00";
+const std::string light_3_2_5 = "0000011000"  // 3 * 8 = 24
+                                "0000010000"  // 2 * 8 = 16
+                                "0000101000"; // 5 * 8 = 40
+const std::string zoom_3 = "00000011"
+                           "000000000000000000000000";
+const std::string zero = "000000000000000000";
+const std::string largest = "011111111111111111"; // 1 is held at 1 - 2^-17
+const std::string full = "1111111111";
+
+TEST(Registers, TheWordsOfTheDefaultsBitByBit)
+{
+    const std::string expected = object_sphere + light_3_2_5 + zoom_3 + //
+                                 zero + zero + largest + full +         // forward 0 0 1, red
+                                 largest + zero + zero + full +         // right 1 0 0, green
+                                 zero + largest + zero + full;          // up 0 1 0, blue
+    EXPECT_EQ(expected.size(), 256U);
+    EXPECT_EQ(bits_of(pack(accelerator, initial_state(accelerator))), expected);
+}
+
+TEST(Registers, TheWordsOfTheDefaultsInHex)
+{
+    const Words words = pack(accelerator, initial_state(accelerator));
+    const std::array<std::uint32_t, 8> expected = {0x0180'4028, 0x0300'0000, 0x0000'0000,
+                                                   0x07FF'FFFF, 0x7FFF'C000, 0x0000'03FF,
+                                                   0x0000'1FFF, 0xF000'03FF};
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        EXPECT_EQ(words[i], expected[i]) << "word " << i;
+}
+
+TEST(Registers, NegativeFieldsAreTwosComplementInTheirWidth)
+{
+    State state;
+    state.codes[marcher::FX] = -1;
+    state.codes[marcher::FY] = -131072; // only its sign bit
+    state.codes[marcher::LX] = -512;
+    const Words words = pack(accelerator, state);
+    EXPECT_EQ(words[0], 0x2000'0000U);
+    EXPECT_EQ(words[2], 0xFFFF'E000U); // eighteen ones, then the sign bit in bit 13
+    EXPECT_EQ(words[3], 0U);
+}
+
+TEST(Registers, EachBitOfEachParameterHasItsOwnPlace)
+{
+    std::set<std::size_t> taken;
+    for (std::size_t i = 0; i < accelerator.parameters.size(); ++i) {
+        for (int bit = 0; bit < accelerator.parameters[i].format.width(); ++bit) {
+            State state;
+            state.codes[i] = std::int64_t{1} << bit;
+            const std::string bits = bits_of(pack(accelerator, state));
+            const std::size_t at = bits.find('1');
+            ASSERT_NE(at, std::string::npos) << accelerator.parameters[i].key << " bit " << bit;
+            EXPECT_EQ(bits.rfind('1'), at) << accelerator.parameters[i].key << " bit " << bit;
+            EXPECT_TRUE(taken.insert(at).second) << accelerator.parameters[i].key << " bit " << bit;
+        }
+    }
+    EXPECT_EQ(taken.size(), 256U); // source 000: 256 bits in eight registers
+}
+
+TEST(Registers, UnpackingIsTheInverseOfPacking)
+{
+    auto random = test::seeded_random();
+    for (int i = 0; i < 20'000; ++i) {
+        State state;
+        for (std::size_t p = 0; p < accelerator.parameters.size(); ++p) {
+            const Format& format = accelerator.parameters[p].format;
+            state.codes[p] = test::pick(random, format.min_code(), format.max_code());
+        }
+        ASSERT_EQ(unpack(accelerator, pack(accelerator, state)), state);
+    }
+}
+
+TEST(Registers, PackingIsTheInverseOfUnpacking)
+{
+    auto random = test::seeded_random();
+    for (int i = 0; i < 20'000; ++i) {
+        Words words{};
+        for (std::size_t w = 0; w < accelerator.word_count; ++w)
+            words[w] = static_cast<std::uint32_t>(random());
+        ASSERT_EQ(pack(accelerator, unpack(accelerator, words)), words); // no bit is unowned
+    }
+}
+
+TEST(Registers, TheExtendedOnesStandBehindTheWords)
+{
+    int offset = accelerator.first_word_offset + 4 * accelerator.word_count;
+    for (const RegisterRow& row : extended_registers) {
+        EXPECT_EQ(static_cast<int>(row.at), offset) << row.name;
+        offset += 4;
+    }
+    EXPECT_LE(static_cast<std::size_t>(offset), register_page_bytes);
+}
+
+TEST(Registers, WordsThatDescribeTheBlock)
+{
+    EXPECT_EQ(id_value, 0x524D'4152U);                     // "RMAR"
+    EXPECT_EQ(capability_word(accelerator), 0x0004'0000U); // kind 0, four ray units
+    EXPECT_EQ(capability_kind(0x1204'0000), 0x12);
+    EXPECT_EQ(geometry_word({640, 480}), 0x0280'01E0U);
+    EXPECT_EQ(geometry_size(0x0280'01E0), (PictureSize{640, 480}));
+}
+
+TEST(Registers, AcceleratorsAreFoundByNameAndKind)
+{
+    EXPECT_EQ(find_accelerator("Marcher"), &accelerator);
+    EXPECT_EQ(find_accelerator("march"), nullptr);
+    EXPECT_EQ(find_accelerator(std::uint8_t{0}), &accelerator);
+    EXPECT_EQ(find_accelerator(std::uint8_t{255}), nullptr);
+    std::set<int> kinds;
+    for (const Accelerator* each : accelerators)
+        EXPECT_TRUE(kinds.insert(each->kind).second) << each->name;
+}
+
+} // namespace
+} // namespace raymarch::protocol

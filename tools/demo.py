@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The main job, shown: text frames through a terminal to pictures of the emulated accelerator.
+
+Starts the real service with an emulated register block and a pseudo-terminal, sends the frames that
+the original user interface sends, prints the register words, and leaves one picture a scene. Each is
+compared with the picture that `raymarchctl render` draws from the same frame.
+"""
+
+import argparse
+import math
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import NamedTuple
+
+
+class View(NamedTuple):
+    """One picture: what the sliders of the user interface stand at."""
+
+    name: str
+    scene: str
+    yaw: float
+    pitch: float
+    zoom: float
+    light: tuple[float, float, float]
+    colour: tuple[float, float, float]
+
+
+VIEWS = (
+    View("sphere", "sphere", 0, 0, 2, (3, 2, 5), (1, 1, 1)),
+    View("cube", "cube", 35, 30, 1.6, (2, 5, 3), (0.9, 0.75, 0.2)),
+    View("lattice", "infinite_cube", 11.31, 11.095, 2.598, (0.5, 1.5, 2), (0.4, 0.9, 0.6)),
+    View("tunnel", "tunnel", 0, 0, 2, (0.25, 0.5, 2), (0.5, 0.7, 1)),
+)
+
+
+def frame(view: View) -> str:
+    """The message of the user interface: three decimals, CR LF left to the sender."""
+    yaw, pitch = math.radians(view.yaw), math.radians(view.pitch)
+    forward = (math.cos(pitch) * math.sin(yaw), math.sin(pitch), math.cos(pitch) * math.cos(yaw))
+    right = (math.cos(yaw), 0.0, -math.sin(yaw))
+    up = (
+        forward[1] * right[2] - forward[2] * right[1],
+        forward[2] * right[0] - forward[0] * right[2],
+        forward[0] * right[1] - forward[1] * right[0],
+    )
+    pairs = [
+        f"{vector}{axis}={value:.3f}"
+        for vector, values in (("F", forward), ("R", right), ("U", up))
+        for axis, value in zip("XYZ", values)
+    ]
+    pairs.append(f"ZM={view.zoom:.2f}")
+    pairs += [f"L{axis}={value:.3f}" for axis, value in zip("XYZ", view.light)]
+    pairs += [f"{channel}={value:.3f}" for channel, value in zip("RGB", view.colour)]
+    return ",".join(pairs) + f",OBJ={view.scene}"
+
+
+class Service:
+    """raymarchd with everything it touches below one folder."""
+
+    def __init__(self, build: Path, out: Path) -> None:
+        self.control = build / "raymarchctl"
+        self.terminal = out / "tty"
+        self.preview = out / "preview.png"
+        self.process = subprocess.Popen(
+            [
+                build / "raymarchd",
+                "--registers", "emulated",
+                "--serial", f"pty:{self.terminal}",
+                "--preview", str(self.preview),
+                "--state", "none",
+                "--control", "none",
+            ]
+        )
+
+    def ask(self, *lines: str) -> list[str]:
+        """The replies to `lines`, sent through the terminal."""
+        result = subprocess.run(
+            [self.control, "send", "--port", str(self.terminal), *lines],
+            check=True, capture_output=True, text=True,
+        )
+        return result.stdout.splitlines()
+
+    def frames(self) -> int:
+        """How many frames the accelerator has finished."""
+        words = dict(word.split("=", 1) for word in self.ask("STATUS")[0].split() if "=" in word)
+        return int(words["frames"])
+
+    def wait_for_frames(self, count: int) -> None:
+        """Until so many frames are finished, and so the preview is written."""
+        for _ in range(600):
+            if self.terminal.is_symlink() and self.frames() >= count:
+                return
+            if self.process.poll() is not None:
+                sys.exit("raymarchd ended")
+            time.sleep(0.05)
+        sys.exit("the accelerator finished no frame in time")
+
+    def stop(self) -> None:
+        self.process.terminate()
+        self.process.wait()
+
+
+def draw(service: Service, view: View, out: Path) -> bool:
+    """Sends one frame and keeps the picture; whether it is the one that render draws."""
+    line = frame(view)
+    before = service.frames()
+    accepted, registers = service.ask(line, "REGS")
+    if "changed=0" not in accepted.split():
+        service.wait_for_frames(before + 1)
+    picture = out / f"{view.name}.png"
+    shutil.copyfile(service.preview, picture)
+
+    check = out / "check.png"
+    subprocess.run([service.control, "render", "--line", line, "-o", check], check=True)
+    same = check.read_bytes() == picture.read_bytes()
+    check.unlink()
+    print(f"{view.name}\n  sent  {line}\n  reply {accepted}\n  words {registers.removeprefix('OK ')}")
+    print(f"  {picture}: {'identical to' if same else 'DIFFERS from'} raymarchctl render")
+    return same
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--build", type=Path, required=True, help="folder of the programs")
+    parser.add_argument("--out", type=Path, required=True, help="folder for the pictures")
+    arguments = parser.parse_args()
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    service = Service(arguments.build, arguments.out)
+    try:
+        service.wait_for_frames(1)
+        same = [draw(service, view, arguments.out) for view in VIEWS]
+    finally:
+        service.stop()
+    service.preview.unlink(missing_ok=True)
+    return 0 if all(same) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

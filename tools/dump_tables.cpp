@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Writes the documents that are made from the tables, or says which of them are stale.
+#include "tools/generated.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+namespace fs = std::filesystem;
+namespace tools = raymarch::tools;
+
+/// One generated text: a whole file, or what stands between two markers of one.
+struct Document
+{
+    const char* path;
+    const char* section; ///< empty: the whole file
+    std::string (*make)();
+};
+
+const std::vector<Document> documents = {
+    {"docs/registers.md", "", tools::registers_page},
+    {"docs/protocol.md", "parameters", tools::parameters_section},
+    {"docs/protocol.md", "commands", tools::commands_section},
+    {"docs/protocol.md", "errors", tools::errors_section},
+    {"docs/protocol.md", "presets", tools::presets_section},
+    {"systemd/raymarchd.toml", "", tools::settings_file},
+    {"overlay/rtl/raymarch_registers_pkg.sv", "", tools::systemverilog_package},
+};
+
+std::string read(const fs::path& path)
+{
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+}
+
+/// `present` with the document's text in its place; empty when its markers are missing.
+std::string updated(const Document& document, const std::string& present)
+{
+    const std::string_view section = document.section;
+    if (section.empty())
+        return document.make();
+    const std::string begin = fmt::format("<!-- begin {} -->\n", section);
+    const std::string end = fmt::format("<!-- end {} -->", section);
+    const std::size_t from = present.find(begin);
+    const std::size_t to = present.find(end);
+    if (from == std::string::npos || to == std::string::npos)
+        return {};
+    return present.substr(0, from + begin.size()) + document.make() + present.substr(to);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App app("Writes the documents that are made from the tables", "dump_tables");
+    fs::path root;
+    bool check = false;
+    bool write = false;
+    app.add_flag("--check", check, "only says which documents are stale; exit status 1 if one is");
+    app.add_flag("--write", write, "writes them")->excludes("--check");
+    app.add_option("ROOT", root, "of the repository")->required();
+    CLI11_PARSE(app, argc, argv);
+
+    bool stale = false;
+    for (const Document& document : documents) {
+        const fs::path path = root / document.path;
+        const std::string present = read(path);
+        const std::string wanted = updated(document, present);
+        if (wanted == present && !wanted.empty())
+            continue;
+        if (wanted.empty() || !write) {
+            fmt::print("{}{}{}: {}\n", document.path, *document.section != '\0' ? ", " : "",
+                       document.section,
+                       wanted.empty() ? "the markers of this section are missing"
+                                      : "stale; ./dev docs writes it again");
+            stale = true;
+            continue;
+        }
+        fs::create_directories(path.parent_path());
+        std::ofstream(path) << wanted;
+        fmt::print("{}: written\n", document.path);
+    }
+    return stale ? 1 : 0;
+}

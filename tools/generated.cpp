@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "tools/generated.hpp"
+
+#include "daemon/config.hpp"
+#include "protocol/accelerators.hpp"
+#include "protocol/commands.hpp"
+#include "protocol/dequantizer.hpp"
+#include "protocol/errors.hpp"
+#include "protocol/registers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+namespace raymarch::tools
+{
+namespace
+{
+
+using namespace protocol; // NOLINT(google-build-using-namespace): prints its tables
+
+/// A field of a word, with the name of its parameter and which bits of it these are.
+struct Field
+{
+    const Parameter* parameter;
+    Slice slice;
+    int lowest_bit; ///< of the parameter
+};
+
+std::vector<Field> fields_of_word(const Accelerator& accelerator, std::size_t word)
+{
+    std::vector<Field> fields;
+    for (const Parameter& parameter : accelerator.parameters) {
+        int below = parameter.format.width();
+        for (const Slice& slice : parameter.placement()) {
+            below -= slice.width();
+            if (slice.word == word)
+                fields.push_back({&parameter, slice, below});
+        }
+    }
+    std::ranges::sort(fields, [](const Field& a, const Field& b) {
+        return a.slice.msb > b.slice.msb;
+    });
+    return fields;
+}
+
+std::string format_name(const Format& format)
+{
+    if (format.fraction_bits == 0)
+        return fmt::format("unsigned, {}", format.width());
+    return fmt::format("Q{}.{} {}, {}", format.integer_bits, format.fraction_bits,
+                       format.is_signed ? "signed" : "unsigned", format.width());
+}
+
+std::string range_of(const Parameter& parameter)
+{
+    if (!parameter.is_choice())
+        return fmt::format("{} .. {}", parameter.min, parameter.max);
+    std::string text;
+    for (std::size_t i = 0; i < parameter.choices.size(); ++i)
+        text += fmt::format("{}`{}` {}", i == 0 ? "" : ", ", parameter.choices[i], i);
+    return text;
+}
+
+/// A `|` would end a cell.
+std::string cell(std::string_view text)
+{
+    std::string result;
+    for (const char c : text)
+        result += c == '|' ? "\\|" : std::string(1, c);
+    return result;
+}
+
+std::string upper(std::string_view text)
+{
+    std::string result(text);
+    std::ranges::transform(result, result.begin(), to_upper);
+    return result;
+}
+
+std::string parameter_words(const Accelerator& accelerator)
+{
+    std::string page = fmt::format("## Parameter words of `{}`\n\n{}.\n\n"
+                                   "| word | offset | fields, MSB to LSB |\n| --- | --- | --- |\n",
+                                   accelerator.name, accelerator.summary);
+    for (std::size_t word = 0; word < accelerator.word_count; ++word) {
+        std::string fields;
+        for (const Field& field : fields_of_word(accelerator, word)) {
+            const bool part = field.parameter->slice_count > 1;
+            const std::string bits =
+                part ? fmt::format("{{{}:{}}}", field.lowest_bit + field.slice.width() - 1,
+                                   field.lowest_bit)
+                     : "";
+            fields += fmt::format("{}{}{}[{}:{}]", fields.empty() ? "" : " ",
+                                  field.parameter->key, bits, field.slice.msb, field.slice.lsb);
+        }
+        page += fmt::format("| {} | 0x{:02X} | {} |\n", word,
+                            accelerator.first_word_offset + 4 * word, fields);
+    }
+    const Words defaults = pack(accelerator, initial_state(accelerator));
+    std::string words;
+    for (std::size_t word = 0; word < accelerator.word_count; ++word)
+        words += fmt::format("{}{:08X}", word == 0 ? "" : " ", defaults[word]);
+    page += fmt::format("\n`KEY{{b:a}}` are bits b to a of a parameter that spans words. Signed fields "
+                        "are two's complement in their width.\nThe words of the defaults:\n\n    {}\n",
+                        words);
+    return page;
+}
+
+} // namespace
+
+std::string registers_page()
+{
+    std::string page =
+        "<!-- Made by dump_tables from protocol/; ./dev docs writes it again. -->\n"
+        "# The register block\n\n"
+        "One AXI-lite slave of 4 KiB with 32-bit words; a byte offset is 4 times a word's index. An\n"
+        "accelerator without the extended registers (ID reads something else) has its parameter words\n"
+        "only and is driven as well.\n\n";
+    for (const Accelerator* accelerator : accelerators)
+        page += parameter_words(*accelerator) + "\n";
+    page += "## Extended registers\n\n| word | offset | name | access | |\n| --- | --- | --- | --- | --- |\n";
+    for (const RegisterRow& row : extended_registers)
+        page += fmt::format("| {} | 0x{:02X} | {} | {} | {} |\n",
+                            static_cast<unsigned>(row.at) / 4, static_cast<unsigned>(row.at),
+                            row.name, row.access, cell(row.meaning));
+    page +=
+        "\nIn shadow mode the parameter words can be written at any time; they reach the ray units\n"
+        "together, at the first frame start after a write to COMMIT. While STATUS says that a commit is\n"
+        "pending the service writes no parameter word, as the frame start could fall between two of\n"
+        "them: the newest state waits.\n\n"
+        "The interrupt is level: high while STATUS.frame done and CONTROL.interrupt enable are set.\n"
+        "Through UIO, a read of 4 bytes gives the count, a write of the 32-bit number 1 unmasks it again.\n";
+    return page;
+}
+
+std::string parameters_section()
+{
+    std::string text;
+    for (const Accelerator* accelerator : accelerators) {
+        text += fmt::format("\nParameters of `{}`:\n\n| key | meaning | unit | range | format, bits | "
+                            "group | default |\n| --- | --- | --- | --- | --- | --- | --- |\n",
+                            accelerator->name);
+        for (const Parameter& parameter : accelerator->parameters)
+            text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", parameter.key,
+                                parameter.meaning, parameter.unit, range_of(parameter),
+                                format_name(parameter.format), parameter.group, parameter.initial);
+    }
+    return text + "\n";
+}
+
+std::string commands_section()
+{
+    std::string text = "\n| command | does |\n| --- | --- |\n";
+    for (const CommandRow& row : commands)
+        text += fmt::format("| `{}{}{}` | {} |\n", row.name, row.arguments.empty() ? "" : " ",
+                            cell(row.arguments), row.summary);
+    return text + "\n";
+}
+
+std::string errors_section()
+{
+    std::string text = "\n| code | means |\n| --- | --- |\n";
+    for (const ErrorRow& row : errors)
+        text += fmt::format("| {} | {} |\n", row.name, cell(row.meaning));
+    return text + "\n";
+}
+
+std::string presets_section()
+{
+    std::string text;
+    for (const Accelerator* accelerator : accelerators) {
+        text += fmt::format("\nPresets of `{}`:\n\n| name | shows |\n| --- | --- |\n",
+                            accelerator->name);
+        for (const Preset& preset : accelerator->presets)
+            text += fmt::format("| `{}` | {} |\n", preset.name, preset.summary);
+    }
+    return text + "\n";
+}
+
+std::string settings_file()
+{
+    std::string text = "# raymarchd.toml: every setting with its default. The command line beats this "
+                       "file;\n# raymarchd --check-config says what is wrong with it.\n";
+    for (const daemon::Setting& setting : daemon::settings()) {
+        const bool bare = setting.initial == "true" || setting.initial == "false" ||
+                          std::ranges::all_of(setting.initial, detail::is_digit);
+        text += fmt::format("\n# {}\n# {}\n#{} = {}\n", setting.meaning, setting.value, setting.name,
+                            bare ? std::string(setting.initial)
+                                 : fmt::format("\"{}\"", setting.initial));
+    }
+    return text;
+}
+
+std::string systemverilog_package()
+{
+    std::string text = "// SPDX-License-Identifier: MIT\n"
+                       "// Made by dump_tables from protocol/; ./dev docs writes it again.\n"
+                       "package raymarch_registers_pkg;\n\n"
+                       "  // Byte offsets of the extended registers\n";
+    for (const RegisterRow& row : extended_registers)
+        text += fmt::format("  localparam logic [11:0] {}_OFFSET = 12'h{:03X};\n", row.name,
+                            static_cast<unsigned>(row.at));
+    text += fmt::format("  localparam logic [31:0] ID_VALUE = 32'h{:08X};\n", id_value);
+    for (const Accelerator* accelerator : accelerators) {
+        const std::string prefix = upper(accelerator->name);
+        text += fmt::format("\n  // {}: {}\n", accelerator->name, accelerator->summary);
+        text += fmt::format("  localparam int {}_KIND = {};\n", prefix, accelerator->kind);
+        text += fmt::format("  localparam int {}_WORDS = {};\n", prefix, accelerator->word_count);
+        for (const Parameter& parameter : accelerator->parameters) {
+            std::string slices;
+            for (const Slice& slice : parameter.placement())
+                slices += fmt::format("{}words[{}][{}:{}]", slices.empty() ? "" : ", ", slice.word,
+                                      slice.msb, slice.lsb);
+            text += fmt::format(
+                "  function automatic logic {}[{}:0] {}_{}(input logic [31:0] words[{}_WORDS]);\n"
+                "    return {{{}}};\n  endfunction\n",
+                parameter.format.is_signed ? "signed " : "", parameter.format.width() - 1,
+                accelerator->name, parameter.key, prefix, slices);
+        }
+    }
+    return text + "\nendpackage\n";
+}
+
+} // namespace raymarch::tools
