@@ -23,7 +23,7 @@ namespace raymarch::console
 namespace
 {
 
-constexpr std::chrono::milliseconds quiet{300};
+constexpr std::chrono::milliseconds quiet{200};
 
 struct Options
 {

@@ -231,6 +231,8 @@ void App::write_status(protocol::ReplyWriter& reply)
         std::chrono::steady_clock::now() - started_);
 
     reply << " serial=" << (serial_ ? "up" : wants_serial ? "down" : "none");
+    if (serial_)
+        reply << " hang_ups=" << serial_->session().hang_ups();
     hardware_.write_status(reply);
     reply << " overlay=unknown clients=" << std::uint64_t{clients_.size()}
           << " dropped_replies=" << dropped

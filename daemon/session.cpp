@@ -61,6 +61,7 @@ void Session::hang_up() noexcept
     editor_.reset();
     output_.clear();
     settings_ = {};
+    ++hang_ups_;
 }
 
 } // namespace raymarch::daemon

@@ -44,6 +44,7 @@ class Session
 
     [[nodiscard]] OutputQueue& output() noexcept { return output_; }
     [[nodiscard]] std::uint64_t dropped_replies() const noexcept { return dropped_replies_; }
+    [[nodiscard]] std::uint64_t hang_ups() const noexcept { return hang_ups_; }
 
   private:
     void receive_typed(std::string_view& bytes);
@@ -55,6 +56,7 @@ class Session
     protocol::EchoEditor editor_;
     OutputQueue output_;
     std::uint64_t dropped_replies_ = 0;
+    std::uint64_t hang_ups_ = 0;
 };
 
 } // namespace raymarch::daemon

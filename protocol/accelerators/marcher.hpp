@@ -44,14 +44,14 @@ inline constexpr auto parameters = complete(std::array{
 
 /// At least two views of each scene; every camera stands in free space.
 inline constexpr std::array presets = {
-    Preset{"sphere", "the source's first picture: the unit sphere from the front", "OBJ=sphere"},
-    Preset{"sphere_dawn", "the sphere from above with the light low at its side", "FX=0.29619,FY=0.5,FZ=0.81380,RX=0.93969,RY=0,RZ=-0.34202,UX=-0.17101,UY=0.86603,UZ=-0.46985,ZM=2.6,LX=-8,LY=1,LZ=2,R=1,G=0.6,B=0.3,OBJ=sphere"},
-    Preset{"cube", "the cube over one corner", "FX=0.57358,FY=0.57358,FZ=0.58484,RX=0.71395,RY=0,RZ=-0.70020,UX=-0.40162,UY=0.81915,UZ=-0.40951,ZM=2,LX=2,LY=5,LZ=3,R=0.9,G=0.75,B=0.2,OBJ=cube"},
-    Preset{"cube_edge", "the cube edge-on, lit from the left", "FX=0.69466,FY=0.17365,FZ=0.69807,RX=0.70884,RY=0,RZ=-0.70537,UX=-0.12249,UY=0.98481,UZ=-0.12309,ZM=1.8,LX=-2,LY=4,LZ=6,R=0.3,G=0.8,B=0.9,OBJ=cube"},
-    Preset{"lattice", "into the infinite lattice from a gap between the cubes", "FX=0,FY=0,FZ=1,ZM=2.5,LX=1,LY=2,LZ=4,R=0.4,G=0.9,B=0.6,OBJ=infinite_cube"},
-    Preset{"lattice_diagonal", "the lattice along a slanting street", "FX=0.38302,FY=0.32557,FZ=0.86446,RX=0.91430,RY=0,RZ=-0.40510,UX=-0.13189,UY=0.94552,UZ=-0.29767,ZM=5.55,LX=2,LY=6,LZ=8,R=1,G=0.5,B=0.7,OBJ=infinite_cube"},
-    Preset{"tunnel", "down the straight shaft of the Menger tunnel", "ZM=2,LX=0.25,LY=0.5,LZ=2,R=0.5,G=0.7,B=1,OBJ=tunnel"},
-    Preset{"tunnel_turn", "a crossing of the Menger tunnel, turned to the side", "FX=0.42262,FY=0,FZ=0.90631,RX=0.90631,RY=0,RZ=-0.42262,UX=0,UY=1,UZ=0,ZM=0,LX=0.5,LY=0.75,LZ=0,R=1,G=0.8,B=0.5,OBJ=tunnel"},
+    Preset{"sphere", "the unit sphere from the front, lit from the upper right", "FX=0,FY=0,FZ=1,RX=1,RY=0,RZ=0,UX=0,UY=1,UZ=0,ZM=1.9,LX=3,LY=2,LZ=5,R=1,G=1,B=1,OBJ=sphere"},
+    Preset{"sphere_dawn", "the sphere from above with the light low at its side", "FX=0.2962,FY=0.5,FZ=0.8138,RX=0.93969,RY=0,RZ=-0.34202,UX=-0.17101,UY=0.86603,UZ=-0.46985,ZM=1.7,LX=6,LY=2,LZ=1,R=1,G=0.6,B=0.3,OBJ=sphere"},
+    Preset{"cube", "the cube over one corner", "FX=0.57923,FY=0.57358,FZ=0.57923,RX=0.70711,RY=0,RZ=-0.70711,UX=-0.40558,UY=0.81915,UZ=-0.40558,ZM=1.5,LX=1,LY=4,LZ=2.5,R=0.9,G=0.75,B=0.2,OBJ=cube"},
+    Preset{"cube_edge", "the cube edge-on, lit from the left", "FX=0.59737,FY=0.24192,FZ=0.7646,RX=0.78801,RY=0,RZ=-0.61566,UX=-0.14894,UY=0.9703,UZ=-0.19064,ZM=1.35,LX=-3,LY=2,LZ=5,R=0.3,G=0.8,B=0.9,OBJ=cube"},
+    Preset{"lattice", "into the infinite lattice from a gap between the cubes", "FX=0.19245,FY=0.19245,FZ=0.96225,RX=0.98058,RY=0,RZ=-0.19612,UX=-0.03774,UY=0.98131,UZ=-0.18871,ZM=2.59808,LX=0.5,LY=1.5,LZ=3,R=0.4,G=0.9,B=0.6,OBJ=infinite_cube"},
+    Preset{"lattice_diagonal", "the lattice along a slanting street", "FX=0.76249,FY=0.4575,FZ=0.4575,RX=0.5145,RY=0,RZ=-0.85749,UX=-0.3923,UY=0.88921,UZ=-0.23538,ZM=3.27872,LX=3,LY=3,LZ=1,R=1,G=0.5,B=0.7,OBJ=infinite_cube"},
+    Preset{"tunnel", "down the straight shaft of the Menger tunnel", "FX=0,FY=0,FZ=1,RX=1,RY=0,RZ=0,UX=0,UY=1,UZ=0,ZM=2,LX=0.25,LY=0.5,LZ=2,R=0.5,G=0.7,B=1,OBJ=tunnel"},
+    Preset{"tunnel_turn", "a crossing of the Menger tunnel, seen from its middle", "FX=0.42262,FY=0,FZ=0.90631,RX=0.90631,RY=0,RZ=-0.42262,UX=0,UY=1,UZ=0,ZM=0,LX=0.5,LY=0.75,LZ=0,R=1,G=0.8,B=0.5,OBJ=tunnel"},
 };
 // clang-format on
 

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// raymarchctl as a process: what it prints, and how it ends.
+#include "service/support.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <sysexits.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace raymarch::tests
+{
+namespace
+{
+
+const std::string frame(original_frame);
+const std::string words = "01804028 03000000 00000000 07FFFFFF 7FFFC000 000003FF 00001FFF F00003FF";
+
+std::vector<std::string> with_words(std::vector<std::string> arguments)
+{
+    for (std::size_t at = 0; at < words.size(); at += 9)
+        arguments.push_back(words.substr(at, 8));
+    return arguments;
+}
+
+TEST(Tool, EncodesALine)
+{
+    const TemporaryFolder folder;
+    const Finished result = run_tool(folder, {"encode", frame});
+    EXPECT_EQ(result.status, EX_OK);
+    EXPECT_EQ(result.output, "OK " + words + "\n");
+    EXPECT_EQ(result.errors, "");
+}
+
+TEST(Tool, EncodeSaysWhatIsWrong)
+{
+    const TemporaryFolder folder;
+    const Finished result = run_tool(folder, {"encode", "FX=2"});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.output, "ERR RANGE col=4 key=FX : FX is a number -1 to 1\n");
+}
+
+TEST(Tool, EncodeAnswersEachLineOfItsInput)
+{
+    const TemporaryFolder folder;
+    using namespace std::string_view_literals;
+    std::string input = frame + "\r\n" + "\n  \t\n" + "PING\n";
+    input += "\0\xFF\n"sv;
+    input += std::string(1025, 'x') + "\n" + frame; // the last line has no ending
+    const Finished result = run_tool(folder, {"encode"}, input);
+    EXPECT_EQ(result.status, 1);
+    std::istringstream lines(result.output);
+    const std::vector<std::string> wanted = {"OK " + words, "ERR UNKNOWN_COMMAND col=1 : ",
+                                             "ERR BAD_BYTE col=1 : ", "ERR TOO_LONG : ",
+                                             "OK " + words};
+    std::string line;
+    for (const std::string& front : wanted) {
+        ASSERT_TRUE(std::getline(lines, line)) << "expected " << front;
+        EXPECT_EQ(line.substr(0, front.size()), front);
+    }
+    EXPECT_FALSE(std::getline(lines, line)) << line;
+}
+
+TEST(Tool, DecodesWords)
+{
+    const TemporaryFolder folder;
+    const Finished result = run_tool(folder, with_words({"decode"}));
+    EXPECT_EQ(result.status, EX_OK);
+    EXPECT_EQ(result.output, "FX=0,FY=0,FZ=0.99999,RX=0.99999,RY=0,RZ=0,UX=0,UY=0.99999,UZ=0,ZM=3,"
+                             "LX=3,LY=2,LZ=5,R=0.999,G=0.999,B=0.999,OBJ=sphere\n");
+    EXPECT_EQ(run_tool(folder, {"decode", "01804028"}).status, EX_USAGE);
+    EXPECT_EQ(run_tool(folder, {"decode", "1", "2", "3", "4", "5", "6", "7", "G"}).status, EX_USAGE);
+}
+
+TEST(Tool, LineWordsAndSetDrawTheSame)
+{
+    const TemporaryFolder folder;
+    const Finished line = run_tool(folder, {"render", "--line", frame, "--size", "32x24", "-o", "-"});
+    const Finished set =
+        run_tool(folder, {"render", "--set", "OBJ=sphere", "--size", "32x24", "--threads", "1",
+                          "--reference", "-o", "-"});
+    std::vector<std::string> arguments = with_words({"render", "--registers"});
+    arguments.insert(arguments.end(), {"--size", "32x24", "-o", "-"});
+    const Finished registers = run_tool(folder, arguments);
+    EXPECT_EQ(line.status, EX_OK) << line.errors;
+    EXPECT_EQ(line.output.substr(0, 13), "P6\n32 24\n255\n");
+    EXPECT_EQ(line.output.size(), 13U + 32 * 24 * 3);
+    EXPECT_EQ(line.output, set.output);
+    EXPECT_EQ(line.output, registers.output) << registers.errors;
+}
+
+TEST(Tool, RenderRefusesBeforeItDraws)
+{
+    const TemporaryFolder folder;
+    EXPECT_EQ(run_tool(folder, {"render", "-o", folder / "picture.gif"}).status, EX_USAGE);
+    EXPECT_EQ(run_tool(folder, {"render", "--size", "1921x1080", "-o", "-"}).status, EX_USAGE);
+    EXPECT_EQ(run_tool(folder, {"render", "--preset", "nosuch", "-o", "-"}).status, EX_USAGE);
+    const Finished bad = run_tool(folder, {"render", "--line", "FX=2", "-o", "-"});
+    EXPECT_EQ(bad.status, EX_DATAERR);
+    EXPECT_NE(bad.errors.find("ERR RANGE col=4 key=FX"), std::string::npos);
+    EXPECT_EQ(run_tool(folder, {"render", "-o", folder / "no/such/folder.ppm"}).status, EX_IOERR);
+}
+
+TEST(Tool, SendsAndTellsByItsStatus)
+{
+    const TemporaryFolder folder;
+    const Service service(folder);
+    ASSERT_TRUE(service.ready());
+    const Finished good =
+        run_tool(folder, {"send", "--port", service.terminal(), "SET ZM=2", "GET ZM"});
+    EXPECT_EQ(good.status, EX_OK) << good.errors;
+    EXPECT_EQ(good.output, "OK seq=1 changed=1\nOK ZM=2\n");
+    const Finished bad = run_tool(folder, {"send", "--socket", service.control(), "SET ZM=11"});
+    EXPECT_EQ(bad.status, 1);
+    const Finished help = run_tool(folder, {"send", "--socket", service.control(), "HELP ZM"});
+    EXPECT_EQ(help.output.substr(0, 7), "# ZM : ");
+    EXPECT_EQ(run_tool(folder, {"send", "--socket", folder / "nobody", "PING"}).status,
+              EX_UNAVAILABLE);
+}
+
+TEST(Tool, StatusAsTextAndJson)
+{
+    const TemporaryFolder folder;
+    const Service service(folder);
+    ASSERT_TRUE(service.ready());
+    const Finished text = run_tool(folder, {"status", "--socket", service.control()});
+    EXPECT_NE(text.output.find("hardware                 ok\n"), std::string::npos) << text.output;
+    const Finished json = run_tool(folder, {"status", "--json", "--socket", service.control()});
+    EXPECT_NE(json.output.find("\"applied\": 0"), std::string::npos) << json.output;
+    const Finished watch =
+        run_tool(folder, {"watch", "--count", "1", "--socket", service.control()});
+    EXPECT_EQ(watch.status, EX_OK);
+    EXPECT_NE(watch.output.find(" OBJ=sphere"), std::string::npos) << watch.output;
+}
+
+TEST(Tool, ConsoleReadsLinesThatArePiped)
+{
+    const TemporaryFolder folder;
+    const Service service(folder);
+    ASSERT_TRUE(service.ready());
+    const Finished result =
+        run_tool(folder, {"console", "--socket", service.control()}, "SET ZM=2\nGET ZM\n");
+    EXPECT_EQ(result.status, EX_OK) << result.errors;
+    EXPECT_NE(result.output.find("OK ZM=2\n"), std::string::npos) << result.output;
+}
+
+TEST(Tool, ConformanceOverTerminalAndSocket)
+{
+    const TemporaryFolder folder;
+    const Service service(folder);
+    ASSERT_TRUE(service.ready());
+    for (const auto& [option, where] : {std::pair<std::string, std::string>{"--port", service.terminal()},
+                                        {"--socket", service.control()}}) {
+        const Finished result = run_tool(folder, {"conformance", option, where});
+        EXPECT_EQ(result.status, EX_OK) << result.output << result.errors;
+        EXPECT_NE(result.output.find(" passed, 0 failed\n"), std::string::npos) << result.output;
+    }
+}
+
+/// A service that is set up differently is an implementation that differs: it is named, row by row.
+TEST(Tool, ConformanceFindsADifference)
+{
+    const TemporaryFolder folder;
+    const Service service(folder, {"--basis-check", "off"});
+    ASSERT_TRUE(service.ready());
+    const Finished result = run_tool(folder, {"conformance", "--port", service.terminal()});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.output.find("warn=BASIS"), std::string::npos);
+    EXPECT_NE(result.output.find("differs from byte "), std::string::npos) << result.output;
+    EXPECT_EQ(result.output.find(" passed, 0 failed\n"), std::string::npos);
+    EXPECT_EQ(run_tool(folder, {"conformance", "--socket", folder / "nobody"}).status,
+              EX_UNAVAILABLE);
+}
+
+TEST(Tool, WrongCommandLinesAreUsageErrors)
+{
+    const TemporaryFolder folder;
+    EXPECT_EQ(run_tool(folder, {}).status, EX_USAGE);
+    EXPECT_EQ(run_tool(folder, {"nosuch"}).status, EX_USAGE);
+    EXPECT_EQ(run_tool(folder, {"render"}).status, EX_USAGE);
+    EXPECT_EQ(run_tool(folder, {"encode", "--accelerator", "nosuch", "FX=1"}).status, EX_USAGE);
+    EXPECT_EQ(run_tool(folder, {"--help"}).status, EX_OK);
+}
+
+} // namespace
+} // namespace raymarch::tests
