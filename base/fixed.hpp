@@ -39,9 +39,9 @@ class Fixed
     static constexpr Overflow overflow = O;
     static_assert(width >= 1 && width <= 64 && FractionBits >= 0);
 
-    using Raw = std::conditional_t<
-        is_signed, std::conditional_t<(width > 32), std::int64_t, std::int32_t>,
-        std::conditional_t<(width > 32), std::uint64_t, std::uint32_t>>;
+    using Raw =
+        std::conditional_t<is_signed, std::conditional_t<(width > 32), std::int64_t, std::int32_t>,
+                           std::conditional_t<(width > 32), std::uint64_t, std::uint32_t>>;
 
     static constexpr Raw max_raw =
         static_cast<Raw>(std::numeric_limits<Raw>::max() >>
@@ -62,7 +62,8 @@ class Fixed
 
     [[nodiscard]] friend constexpr Fixed operator+(Fixed a, Fixed b) noexcept
     {
-        return settle(sum(a.raw_, b.raw_), a.raw_ < 0, __builtin_add_overflow_p(a.raw_, b.raw_, Raw{}));
+        return settle(sum(a.raw_, b.raw_), a.raw_ < 0,
+                      __builtin_add_overflow_p(a.raw_, b.raw_, Raw{}));
     }
     [[nodiscard]] friend constexpr Fixed operator-(Fixed a, Fixed b) noexcept
     {
@@ -89,7 +90,8 @@ class Fixed
         return static_cast<Raw>(static_cast<Unsigned>(a) - static_cast<Unsigned>(b));
     }
     /// `raw` is the exact result unless the storage itself overflowed.
-    static constexpr Fixed settle(Raw raw, bool overflows_downwards, bool storage_overflowed) noexcept
+    static constexpr Fixed settle(Raw raw, bool overflows_downwards,
+                                  bool storage_overflowed) noexcept
     {
         if constexpr (O == Overflow::Saturate) {
             if (storage_overflowed)

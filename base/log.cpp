@@ -28,7 +28,8 @@ std::atomic<Level> threshold = Level::Notice;
 /// systemd sets JOURNAL_STREAM for services whose standard error goes to the journal.
 bool journal_reads() noexcept
 {
-    static const bool result = std::getenv("JOURNAL_STREAM") != nullptr; // NOLINT(concurrency-mt-unsafe)
+    static const bool result =
+        std::getenv("JOURNAL_STREAM") != nullptr; // NOLINT(concurrency-mt-unsafe)
     return result;
 }
 
@@ -59,7 +60,8 @@ bool enabled(Level level) noexcept
 
 void write_line(Level level, std::string_view text) noexcept
 {
-    const std::array<char, 3> priority = {'<', static_cast<char>('0' + static_cast<int>(level)), '>'};
+    const std::array<char, 3> priority = {'<', static_cast<char>('0' + static_cast<int>(level)),
+                                          '>'};
     std::string_view prefix = "raymarchd: ";
     if (journal_reads())
         prefix = {priority.data(), priority.size()};

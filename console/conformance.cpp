@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl conformance`: runs the protocol's tables against a live endpoint, be it this service,
-/// a board over its UART, or somebody's own implementation.
+/// `raymarchctl conformance`: runs the protocol's tables against a live endpoint, be it this
+/// service, a board over its UART, or somebody's own implementation.
 #include "conformance/table.hpp"
 #include "console/conformance_tables.hpp"
 #include "console/connection.hpp"
@@ -89,8 +89,8 @@ class Runner
     {
         const auto rows = conformance::parse_table(table.text);
         if (!rows)
-            return fail(plain_error(ErrorKind::BadData, fmt::format("{}: {}", table.name,
-                                                                    rows.error().message)));
+            return fail(plain_error(ErrorKind::BadData,
+                                    fmt::format("{}: {}", table.name, rows.error().message)));
         connection_.drain(quiet); // what an earlier host left behind
         if (const auto reset = connection_.ask("RESET"); !reset)
             return fail(reset.error());

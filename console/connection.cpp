@@ -33,18 +33,18 @@ Result<std::unique_ptr<drivers::BytePort>> open_endpoint(const Endpoint& endpoin
 {
     if (!endpoint.port.empty())
         return open_port(endpoint.port);
-    return drivers::SocketPort::connect(endpoint.socket.empty() ? default_socket
-                                                                : endpoint.socket);
+    return drivers::SocketPort::connect(endpoint.socket.empty() ? default_socket : endpoint.socket);
 }
 
 } // namespace
 
 void add_endpoint_options(CLI::App& command, Endpoint& endpoint)
 {
-    CLI::Option* const port =
-        command.add_option("--port", endpoint.port, "the service's serial port, or its "
-                                                    "pseudo-terminal; default baud 115200")
-            ->type_name("TTY[@BAUD]");
+    CLI::Option* const port = command
+                                  .add_option("--port", endpoint.port,
+                                              "the service's serial port, or its "
+                                              "pseudo-terminal; default baud 115200")
+                                  ->type_name("TTY[@BAUD]");
     command
         .add_option("--socket", endpoint.socket,
                     std::string("the service's control socket (default: ") + default_socket + ")")
@@ -78,7 +78,8 @@ Result<void> Connection::send(std::string_view bytes)
             const auto outcome = port_->read(chunk);
             received_.append(chunk.data(), outcome.size);
             if (outcome.status == drivers::ReadStatus::Gone)
-                return fail(plain_error(ErrorKind::InputOutput, "the service closed the connection"));
+                return fail(
+                    plain_error(ErrorKind::InputOutput, "the service closed the connection"));
         }
     }
     return {};

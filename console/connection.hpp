@@ -39,8 +39,8 @@ class Connection
     /// the length of the time-out.
     [[nodiscard]] Result<void> send(std::string_view bytes);
 
-    /// The next line that comes, without its ending. Errors: InputOutput, also when none comes within
-    /// the time-out.
+    /// The next line that comes, without its ending. Errors: InputOutput, also when none comes
+    /// within the time-out.
     [[nodiscard]] Result<std::string> receive(std::chrono::milliseconds timeout = reply_timeout);
 
     /// Sends a line and collects its reply: lines beginning `#`, and the one beginning OK or ERR.

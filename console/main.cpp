@@ -24,9 +24,9 @@ int main(int argc, char** argv)
     app.set_version_flag("--version", "raymarchctl " RAYMARCH_VERSION);
     app.require_subcommand(1);
     console::Run run;
-    for (const auto add : {console::add_encode, console::add_decode, console::add_render,
-                           console::add_send, console::add_console, console::add_status,
-                           console::add_watch, console::add_conformance})
+    for (const auto add :
+         {console::add_encode, console::add_decode, console::add_render, console::add_send,
+          console::add_console, console::add_status, console::add_watch, console::add_conformance})
         add(app, run);
     try {
         app.parse(argc, argv);

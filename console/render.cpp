@@ -88,8 +88,8 @@ Result<protocol::State> state_of_preset(const protocol::Accelerator& accelerator
             return changed_defaults(accelerator, preset.settings);
         names += fmt::format("{}{}", names.empty() ? "" : ", ", preset.name);
     }
-    return fail(plain_error(ErrorKind::Usage, fmt::format("'{}' is no preset; there are {}", name,
-                                                          names)));
+    return fail(
+        plain_error(ErrorKind::Usage, fmt::format("'{}' is no preset; there are {}", name, names)));
 }
 
 Result<protocol::Words> words_to_draw(const protocol::Accelerator& accelerator,
@@ -133,10 +133,10 @@ Result<void> render(const Options& options)
                           ? std::optional(description.size)
                           : protocol::parse_size(options.size, description.max_size);
     if (!size)
-        return fail(plain_error(ErrorKind::Usage,
-                                fmt::format("'{}' is not a size from 1x1 to {}x{}", options.size,
-                                            description.max_size.width,
-                                            description.max_size.height)));
+        return fail(
+            plain_error(ErrorKind::Usage,
+                        fmt::format("'{}' is not a size from 1x1 to {}x{}", options.size,
+                                    description.max_size.width, description.max_size.height)));
     const auto words = words_to_draw(description, options);
     if (!words)
         return fail(words.error());
@@ -169,8 +169,9 @@ void add_render(CLI::App& app, Run& run)
     command->add_option("--threads", options->threads, "0 is one for each processor")
         ->check(CLI::Range(0, 256))
         ->type_name("N");
-    command->add_flag("--reference", options->reference,
-                      "with the plain scalar model that defines the bits (at present the only one)");
+    command->add_flag(
+        "--reference", options->reference,
+        "with the plain scalar model that defines the bits (at present the only one)");
     command
         ->add_option("-o,--output", options->output,
                      "where to, in the format of its ending: png, jpg, ppm, tga; - is ppm on "

@@ -48,8 +48,8 @@ Result<Fields> ask_fields(Connection& connection, const char* command)
     if (!replies)
         return fail(replies.error());
     if (is_err(replies->back()))
-        return fail(plain_error(ErrorKind::InputOutput,
-                                fmt::format("{}: {}", command, replies->back())));
+        return fail(
+            plain_error(ErrorKind::InputOutput, fmt::format("{}: {}", command, replies->back())));
     return fields_of(replies->back());
 }
 

@@ -26,9 +26,9 @@ Result<protocol::Words> parse_words(const protocol::Accelerator& accelerator,
         const char* const end = digits.data() + digits.size();
         const auto parsed = std::from_chars(digits.data(), end, words[i], 16);
         if (parsed.ec != std::errc{} || parsed.ptr != end || digits.size() > 8)
-            return fail(plain_error(ErrorKind::Usage,
-                                    fmt::format("word {}: '{}' is not 1 to 8 hex digits", i,
-                                                texts[i])));
+            return fail(
+                plain_error(ErrorKind::Usage,
+                            fmt::format("word {}: '{}' is not 1 to 8 hex digits", i, texts[i])));
     }
     return words;
 }

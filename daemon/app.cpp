@@ -92,7 +92,7 @@ void App::log_once(std::string& last, const Error& error, const char* what)
     last = error.message;
 }
 
-// --- the persisted state --------------------------------------------------------------------------
+// --- the persisted state ---
 
 void App::restore_state()
 {
@@ -144,7 +144,7 @@ std::optional<protocol::State> App::load()
     return loaded->saved ? loaded->saved : loaded->last;
 }
 
-// --- hosts ----------------------------------------------------------------------------------------
+// --- hosts ---
 
 void App::open_serial()
 {
@@ -197,7 +197,7 @@ void App::accept_client()
     });
 }
 
-// --- the rest -------------------------------------------------------------------------------------
+// --- the rest ---
 
 void App::reload_config()
 {

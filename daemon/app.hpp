@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The composition root: opens what the configuration names, owns everything, and by the order of its
-/// members says what outlives what.
+/// The composition root: opens what the configuration names, owns everything, and by the order of
+/// its members says what outlives what.
 #pragma once
 
 #include "daemon/back_off.hpp"

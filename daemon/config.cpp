@@ -43,8 +43,7 @@ std::optional<std::string> behind(std::string_view text, std::string_view prefix
     return std::string(text.substr(prefix.size()));
 }
 
-constexpr std::string_view registers_values =
-    "auto|uio:/dev/uioN|uio-name:NAME|file:PATH|emulated";
+constexpr std::string_view registers_values = "auto|uio:/dev/uioN|uio-name:NAME|file:PATH|emulated";
 constexpr std::string_view serial_values = "/dev/TTY[@BAUD]|pty:LINK|none";
 
 Result<void> set_registers(Config& config, std::string_view text)
@@ -196,7 +195,8 @@ Result<void> set_emulated_threads(Config& config, std::string_view text)
 }
 
 // In this order: what depends on the accelerator comes after it.
-// clang-format off: one row a setting
+// Laid out by hand: one row a setting.
+// clang-format off
 constexpr std::array table = {
     Setting{"accelerator",      "NAME",                       "marcher",                  "the accelerator of a block that does not tell its kind, and of the emulated one", set_accelerator},
     Setting{"registers",        registers_values,             "auto",                     "the register block; auto is the UIO device named raymarch where there is one, else emulated", set_registers},

@@ -170,8 +170,8 @@ Controller::Outcome Controller::run(const Request& request, SessionSettings& ses
 
 Controller::Outcome Controller::apply(const State& state)
 {
-    const bool orthonormal = policy_.basis_check == BasisCheck::Off ||
-                             basis_is_orthonormal(accelerator_, state);
+    const bool orthonormal =
+        policy_.basis_check == BasisCheck::Off || basis_is_orthonormal(accelerator_, state);
     if (!orthonormal && policy_.basis_check == BasisCheck::Reject)
         return Fault{.code = ErrorCode::Basis};
     const Words words = pack(accelerator_, state);

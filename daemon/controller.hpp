@@ -72,8 +72,8 @@ class Controller
     /// Executes one line. The reply, which may be empty, is valid until the next call.
     [[nodiscard]] std::string_view execute(const protocol::Line& line, SessionSettings& session);
 
-    /// Makes `state` the present one without a line: at start, or from a button. False when the board
-    /// did not take it; the state is kept all the same, for a board that comes later.
+    /// Makes `state` the present one without a line: at start, or from a button. False when the
+    /// board did not take it; the state is kept all the same, for a board that comes later.
     bool restore(const protocol::State& state);
     /// Writes the present words again: the board has come (back).
     void board_is_back();

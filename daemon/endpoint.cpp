@@ -19,13 +19,13 @@ constexpr std::size_t turn_bytes = 16'384;
 
 } // namespace
 
-Endpoint::Endpoint(EventLoop& loop, std::unique_ptr<drivers::BytePort> port,
-                   Controller& controller, std::function<void(Endpoint&)> on_gone)
+Endpoint::Endpoint(EventLoop& loop, std::unique_ptr<drivers::BytePort> port, Controller& controller,
+                   std::function<void(Endpoint&)> on_gone)
     : port_(std::move(port))
     , session_(controller)
     , on_gone_(std::move(on_gone))
-    , source_(loop.add_io(port_->fd(), for_reading,
-                          [this](std::uint32_t events) { on_ready(events); }))
+    , source_(
+          loop.add_io(port_->fd(), for_reading, [this](std::uint32_t events) { on_ready(events); }))
 {}
 
 void Endpoint::on_ready(std::uint32_t /*events*/)

@@ -23,10 +23,11 @@ class EventSource
     EventSource& operator=(const EventSource&) = delete;
     ~EventSource();
 
-    /// For timers: fires once, `delay` from now. A timer that is armed again forgets the earlier time.
+    /// For timers: fires once, `delay` from now. A timer that is armed again forgets the earlier
+    /// time.
     void arm(std::chrono::milliseconds delay) noexcept;
-    /// For descriptors: which epoll events to wait for from now on. An edge-triggered source that is
-    /// told the same events again reports once more what is ready.
+    /// For descriptors: which epoll events to wait for from now on. An edge-triggered source that
+    /// is told the same events again reports once more what is ready.
     void watch(std::uint32_t events) noexcept;
 
   private:

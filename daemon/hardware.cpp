@@ -106,8 +106,8 @@ Result<void> Hardware::open()
     bus_ = std::move(*bus);
     path_ = *path;
     if (bus_->interrupt_fd() >= 0)
-        interrupt_ = loop_.add_io(bus_->interrupt_fd(), EPOLLIN,
-                                  [this](std::uint32_t) { on_interrupt(); });
+        interrupt_ =
+            loop_.add_io(bus_->interrupt_fd(), EPOLLIN, [this](std::uint32_t) { on_interrupt(); });
     return {};
 }
 
@@ -202,8 +202,8 @@ void Hardware::write_status(protocol::ReplyWriter& reply)
     const std::uint32_t frames = path_->frames();
     reply << " frames=" << std::uint64_t{frames};
     if (elapsed > 0) {
-        const std::uint64_t tenths = std::uint64_t{frames - frames_before_} * 10'000 /
-                                     static_cast<std::uint64_t>(elapsed);
+        const std::uint64_t tenths =
+            std::uint64_t{frames - frames_before_} * 10'000 / static_cast<std::uint64_t>(elapsed);
         reply << " fps=" << tenths / 10 << '.' << tenths % 10;
     }
     frames_before_ = frames;

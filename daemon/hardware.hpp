@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The register block as the service has it: opened from the configuration, looked for again when it
-/// is missing or goes away, and kept informed of deferred updates.
+/// The register block as the service has it: opened from the configuration, looked for again when
+/// it is missing or goes away, and kept informed of deferred updates.
 #pragma once
 
 #include "daemon/back_off.hpp"

@@ -39,7 +39,8 @@ int main(int argc, char** argv)
     auto loop = daemon::EventLoop::open();
     if (!loop)
         return report(loop.error());
-    daemon::App app(*config, [&] { return daemon::load_config(options); }, *loop);
+    daemon::App app(
+        *config, [&] { return daemon::load_config(options); }, *loop);
     const auto result = app.run();
     return result ? 0 : report(result.error());
 }

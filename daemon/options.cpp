@@ -27,9 +27,9 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
     Options options;
     CLI::App app("raymarchd: drives a ray-marching accelerator from a serial host", "raymarchd");
     app.set_version_flag("--version", "raymarchd " RAYMARCH_VERSION);
-    app.add_option("--config", options.config_path,
-                   fmt::format("configuration file (default: {}, if it exists)",
-                               default_config_path))
+    app.add_option(
+           "--config", options.config_path,
+           fmt::format("configuration file (default: {}, if it exists)", default_config_path))
         ->type_name("FILE");
     app.add_flag("--check-config", options.check_config,
                  "read the configuration, report what is wrong with it, and end");

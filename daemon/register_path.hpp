@@ -24,28 +24,32 @@ enum class Applied : std::uint8_t {
 /// The path of one accelerator's words. Borrows the bus.
 ///
 /// A plain block is written word by word. A block with the extended registers runs in shadow mode:
-/// words reach the ray units together, at the frame start after COMMIT. While a commit is pending no
-/// word is written, because the frame start could fall between two of them.
+/// words reach the ray units together, at the frame start after COMMIT. While a commit is pending
+/// no word is written, because the frame start could fall between two of them.
 class RegisterPath
 {
   public:
     /// Looks at what is there: ID, then the self-test on SCRATCH, then the kind. `plain` is what a
-    /// block without an ID is taken for. Enables the accelerator, in shadow mode. Errors: Unavailable
-    /// (the self-test failed, or no description has its kind).
+    /// block without an ID is taken for. Enables the accelerator, in shadow mode. Errors:
+    /// Unavailable (the self-test failed, or no description has its kind).
     [[nodiscard]] static Result<RegisterPath> probe(drivers::RegisterBus& bus,
                                                     const protocol::Accelerator& plain);
 
     /// Writes the words that changed, in ascending order, reads all words back, and commits.
     [[nodiscard]] Applied apply(const protocol::Words& words);
 
-    /// Brings what was deferred, if the pending commit is through; Written when nothing is deferred.
+    /// Brings what was deferred, if the pending commit is through; Written when nothing is
+    /// deferred.
     [[nodiscard]] Applied retry();
     [[nodiscard]] bool deferred() const noexcept { return deferred_.has_value(); }
 
     /// Takes back the frame-done flag, so that the interrupt falls.
     void acknowledge_frame();
 
-    [[nodiscard]] const protocol::Accelerator& accelerator() const noexcept { return *accelerator_; }
+    [[nodiscard]] const protocol::Accelerator& accelerator() const noexcept
+    {
+        return *accelerator_;
+    }
     [[nodiscard]] bool extended() const noexcept { return extended_; }
     /// FRAMES; 0 for a plain block.
     [[nodiscard]] std::uint32_t frames() const;

@@ -15,8 +15,7 @@ namespace
 constexpr std::string_view header = "raymarch-state 1\n";
 constexpr std::string_view check = "crc32 ";
 
-void append_line(std::string& text, std::string_view name,
-                 const protocol::Accelerator& accelerator,
+void append_line(std::string& text, std::string_view name, const protocol::Accelerator& accelerator,
                  const std::optional<protocol::State>& state)
 {
     if (!state)

@@ -34,8 +34,8 @@ bool write_all(int fd, std::span<const std::uint8_t> bytes) noexcept
 bool sync_folder(const std::string& path) noexcept
 {
     const std::string folder = std::filesystem::path(path).parent_path().string();
-    const UniqueFd fd(::open(folder.empty() ? "." : folder.c_str(),
-                             O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const UniqueFd fd(
+        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     return fd && ::fsync(fd.get()) == 0;
 }
 
@@ -78,8 +78,8 @@ Result<std::string> read_file(const std::string& path, std::size_t limit)
             return content;
         content.append(chunk.data(), static_cast<std::size_t>(size));
         if (content.size() > limit)
-            return fail(plain_error(ErrorKind::BadData, path + " is larger than " +
-                                                            std::to_string(limit) + " bytes"));
+            return fail(plain_error(ErrorKind::BadData,
+                                    path + " is larger than " + std::to_string(limit) + " bytes"));
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Whole files: read at once, or replaced so that a reader sees the old or the new one, never a part.
+/// Whole files: read at once, or replaced so that a reader sees the old or the new one, never a
+/// part.
 #pragma once
 
 #include "base/result.hpp"
@@ -17,8 +18,8 @@ namespace raymarch::drivers
 enum class Durability : std::uint8_t { Durable, BestEffort };
 
 /// Writes a new file beside `path` and renames it over. Errors: InputOutput; the old content stays.
-[[nodiscard]] Result<void> replace_file(const std::string& path, std::span<const std::uint8_t> bytes,
-                                        Durability durability);
+[[nodiscard]] Result<void> replace_file(const std::string& path,
+                                        std::span<const std::uint8_t> bytes, Durability durability);
 
 /// The whole content. Errors: Unavailable (cannot be opened), InputOutput; BadData when the file is
 /// larger than `limit` bytes.

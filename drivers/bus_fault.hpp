@@ -3,8 +3,8 @@
 /// Turns SIGBUS inside a watched mapping into zeros and a flag.
 ///
 /// A mapped file that is truncated, or a device that is taken away, answers the next access with
-/// SIGBUS. Ending the service would be a crash on bad input; so the handler lays a page of zeros over
-/// the hole and the access goes on.
+/// SIGBUS. Ending the service would be a crash on bad input; so the handler lays a page of zeros
+/// over the hole and the access goes on.
 #pragma once
 
 #include <cstddef>

@@ -72,14 +72,12 @@ MappedWindow::~MappedWindow()
     ::munmap(mapping_.base, mapping_.length);
 }
 
-Result<std::unique_ptr<MappedWindow>> MappedWindow::map(UniqueFd fd, std::string name,
-                                                        std::size_t bytes, std::size_t offset,
-                                                        bool is_uio)
+Result<std::unique_ptr<MappedWindow>>
+MappedWindow::map(UniqueFd fd, std::string name, std::size_t bytes, std::size_t offset, bool is_uio)
 {
     const std::size_t page = page_size();
     const std::size_t length = (offset + bytes + page - 1) / page * page;
-    void* const base =
-        ::mmap(nullptr, length, PROT_READ | PROT_WRITE, MAP_SHARED, fd.get(), 0);
+    void* const base = ::mmap(nullptr, length, PROT_READ | PROT_WRITE, MAP_SHARED, fd.get(), 0);
     if (base == MAP_FAILED)
         return fail(errno_error(ErrorKind::InputOutput, "map", name));
     if (!watch_mapping(base, length)) {
@@ -91,9 +89,8 @@ Result<std::unique_ptr<MappedWindow>> MappedWindow::map(UniqueFd fd, std::string
         new MappedWindow(std::move(fd), std::move(name), {base, length, offset}, has_interrupt));
 }
 
-Result<std::unique_ptr<MappedWindow>> MappedWindow::open_uio(const std::string& device,
-                                                             std::size_t bytes,
-                                                             const std::string& sysfs_root)
+Result<std::unique_ptr<MappedWindow>>
+MappedWindow::open_uio(const std::string& device, std::size_t bytes, const std::string& sysfs_root)
 {
     UniqueFd fd(::open(device.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_SYNC));
     if (!fd)
@@ -103,9 +100,9 @@ Result<std::unique_ptr<MappedWindow>> MappedWindow::open_uio(const std::string& 
     const auto size = hex_number(first_line(region / "size"));
     const auto offset = hex_number(first_line(region / "offset"));
     if (!size || *size < bytes)
-        return fail(plain_error(ErrorKind::Unavailable,
-                                device + ": " + (region / "size").string() + " must say at least " +
-                                    std::to_string(bytes) + " bytes"));
+        return fail(plain_error(ErrorKind::Unavailable, device + ": " + (region / "size").string() +
+                                                            " must say at least " +
+                                                            std::to_string(bytes) + " bytes"));
     return map(std::move(fd), device, bytes, offset.value_or(0), true);
 }
 
@@ -130,8 +127,8 @@ std::uint32_t MappedWindow::read(RegOffset at) noexcept
 {
     assert(at.bytes % 4 == 0 && mapping_.offset + at.bytes + 4 <= mapping_.length);
     const auto* const bytes = static_cast<const std::byte*>(mapping_.base);
-    const auto* const word = reinterpret_cast<const volatile std::uint32_t*>(
-        bytes + mapping_.offset + at.bytes);
+    const auto* const word =
+        reinterpret_cast<const volatile std::uint32_t*>(bytes + mapping_.offset + at.bytes);
     return *word;
 }
 

@@ -42,8 +42,8 @@ Result<void> place_link(const std::string& target, const fs::path& link)
     if (!error)
         fs::rename(fresh, link, error);
     if (error)
-        return fail(plain_error(ErrorKind::Unavailable,
-                                "link " + link.string() + ": " + error.message()));
+        return fail(
+            plain_error(ErrorKind::Unavailable, "link " + link.string() + ": " + error.message()));
     return {};
 }
 

@@ -115,8 +115,9 @@ Result<std::unique_ptr<SerialPort>> SerialPort::open(const std::string& path, un
     ::cfsetispeed(&settings, *speed);
     ::cfsetospeed(&settings, *speed);
     if (::tcsetattr(port->fd(), TCSANOW, &settings) != 0 || !took(port->fd(), settings))
-        return fail(plain_error(ErrorKind::InputOutput,
-                                path + " does not take " + std::to_string(baud) + " baud, 8N1, raw"));
+        return fail(
+            plain_error(ErrorKind::InputOutput,
+                        path + " does not take " + std::to_string(baud) + " baud, 8N1, raw"));
     ::tcflush(port->fd(), TCIFLUSH);
     return port;
 }

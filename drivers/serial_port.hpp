@@ -19,8 +19,8 @@ namespace raymarch::drivers
 class SerialPort final : public BytePort
 {
   public:
-    /// Errors: Usage (a baud rate that no tty has), Unavailable (no such tty, or another process has
-    /// it), InputOutput (it does not take the settings).
+    /// Errors: Usage (a baud rate that no tty has), Unavailable (no such tty, or another process
+    /// has it), InputOutput (it does not take the settings).
     [[nodiscard]] static Result<std::unique_ptr<SerialPort>> open(const std::string& path,
                                                                   unsigned baud);
     ~SerialPort() override;

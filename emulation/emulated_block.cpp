@@ -145,7 +145,8 @@ void EmulatedBlock::reset()
     cycles_ = 0;
 }
 
-/// The line is level: while a frame is done and the interrupt enabled, it shows as soon as it is armed.
+/// The line is level: while a frame is done and the interrupt enabled, it shows as soon as it is
+/// armed.
 void EmulatedBlock::raise_interrupt()
 {
     if (!armed_ || (status_ & status::frame_done) == 0 ||
@@ -180,8 +181,7 @@ Result<std::uint32_t> EmulatedBlock::take_interrupt()
 
 bool EmulatedBlock::frame_can_start() const
 {
-    const bool enabled =
-        options_.form == BlockForm::Bare || (control_ & control::enable) != 0;
+    const bool enabled = options_.form == BlockForm::Bare || (control_ & control::enable) != 0;
     return latch_ && enabled;
 }
 
@@ -195,8 +195,7 @@ void EmulatedBlock::work(const std::stop_token& stop)
         status_ |= status::busy;
 
         lock.unlock();
-        const std::uint64_t cycles =
-            engine::draw(model_, latched, image, options_.threads, stop);
+        const std::uint64_t cycles = engine::draw(model_, latched, image, options_.threads, stop);
         if (stop.stop_requested())
             return;
         if (sink_)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The register block without a board: the extended registers live, and a worker that draws what the
-/// words say with the engine's model.
+/// The register block without a board: the extended registers live, and a worker that draws what
+/// the words say with the engine's model.
 #pragma once
 
 #include "base/unique_fd.hpp"

@@ -22,8 +22,8 @@ std::uint64_t draw(const Model& model, std::span<const std::uint32_t> words, Ima
         std::uint64_t cycles = 0;
         for (unsigned y = next_row++; y < image.size.height && !stop.stop_requested();
              y = next_row++)
-            cycles += model.draw_row(words, {image.size, static_cast<std::uint16_t>(y)},
-                                     image.row(y));
+            cycles +=
+                model.draw_row(words, {image.size, static_cast<std::uint16_t>(y)}, image.row(y));
         unit_cycles += cycles;
     };
     {

@@ -19,8 +19,8 @@ struct RowOf
     std::uint16_t y; ///< from the top
 };
 
-/// One accelerator's computation. Pure: the same words and row give the same bytes, on every machine
-/// and from any number of threads.
+/// One accelerator's computation. Pure: the same words and row give the same bytes, on every
+/// machine and from any number of threads.
 struct Model
 {
     const protocol::Accelerator* description;

@@ -10,7 +10,8 @@
 #include <vector>
 
 extern "C" bool raymarch_encode_picture(const char* extension, const std::uint8_t* rgb, int width,
-                                        int height, raymarch::pictures::ByteSink sink, void* context)
+                                        int height, raymarch::pictures::ByteSink sink,
+                                        void* context)
 {
     try {
         const cv::Mat pixels(height, width, CV_8UC3, const_cast<std::uint8_t*>(rgb)); // only read

@@ -19,7 +19,7 @@ struct Ending
     PictureFormat format;
 };
 constexpr std::array endings = {
-    Ending{"png", PictureFormat::Png}, Ending{"jpg", PictureFormat::Jpeg},
+    Ending{"png", PictureFormat::Png},   Ending{"jpg", PictureFormat::Jpeg},
     Ending{"jpeg", PictureFormat::Jpeg}, Ending{"ppm", PictureFormat::Ppm},
     Ending{"tga", PictureFormat::Tga},
 };
@@ -56,9 +56,8 @@ EncodeFunction load_module()
 {
     static const EncodeFunction function = [] {
         void* const module = ::dlopen(module_file, RTLD_NOW | RTLD_LOCAL);
-        return module == nullptr
-                   ? nullptr
-                   : reinterpret_cast<EncodeFunction>(::dlsym(module, encode_symbol));
+        return module == nullptr ? nullptr
+                                 : reinterpret_cast<EncodeFunction>(::dlsym(module, encode_symbol));
     }();
     return function;
 }
@@ -69,15 +68,17 @@ Result<Bytes> encode_with_opencv(const engine::Image& image, const char* extensi
     if (function == nullptr)
         return fail(plain_error(ErrorKind::Unavailable,
                                 std::string("writing ") + extension + " needs OpenCV's module " +
-                                    module_file + ", which is not installed; .ppm and .tga do not"));
+                                    module_file +
+                                    ", which is not installed; .ppm and .tga do not"));
     Bytes bytes;
     const ByteSink append = [](void* context, const std::uint8_t* data, std::size_t count) {
         auto* const target = static_cast<Bytes*>(context);
         target->insert(target->end(), data, data + count);
     };
     if (!function(extension, image.rgb.data(), image.size.width, image.size.height, append, &bytes))
-        return fail(plain_error(ErrorKind::InputOutput,
-                                std::string("OpenCV could not encode the picture as ") + extension));
+        return fail(
+            plain_error(ErrorKind::InputOutput,
+                        std::string("OpenCV could not encode the picture as ") + extension));
     return bytes;
 }
 

@@ -143,7 +143,8 @@ void randomise(const Accelerator& accelerator, std::string_view group, std::mt19
     }
     if (accelerator.camera && in_group(accelerator.camera->zoom)) {
         const double yaw = std::uniform_real_distribution(0.0, 360.0)(random);
-        // Points spread evenly over a sphere have an evenly spread sine of pitch; short of the poles.
+        // Points spread evenly over a sphere have an evenly spread sine of pitch; short of the
+        // poles.
         const double sine = std::uniform_real_distribution(-0.999, 0.999)(random);
         const double pitch = std::asin(sine) * 180.0 / std::numbers::pi;
         set_orbit(accelerator, yaw, pitch, state);

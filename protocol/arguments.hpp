@@ -40,8 +40,8 @@ inline constexpr ArgumentRange hue_range = {"hue", "0", "1", "hue is 0 to 1"};
 [[nodiscard]] std::optional<Fault> apply_hue(const Accelerator& accelerator, Text words,
                                              State& state) noexcept;
 
-/// Draws the parameters of `group` (all when empty) inside their ranges. The camera is a real one: a
-/// random orbit; colours are random hues.
+/// Draws the parameters of `group` (all when empty) inside their ranges. The camera is a real one:
+/// a random orbit; colours are random hues.
 void randomise(const Accelerator& accelerator, std::string_view group, std::mt19937_64& random,
                State& state) noexcept;
 

@@ -13,9 +13,10 @@ namespace
 /// Keys are letters; where a table has rows ("S2.X"), digits and dots may follow the first letter.
 bool is_key(const Accelerator& accelerator, std::string_view key) noexcept
 {
-    const bool has_rows = std::ranges::any_of(accelerator.parameters, [](const Parameter& parameter) {
-        return parameter.key.find('.') != std::string_view::npos;
-    });
+    const bool has_rows =
+        std::ranges::any_of(accelerator.parameters, [](const Parameter& parameter) {
+            return parameter.key.find('.') != std::string_view::npos;
+        });
     return !key.empty() && is_letter(key[0]) && std::ranges::all_of(key, [&](char c) {
         return is_letter(c) || (has_rows && (detail::is_digit(c) || c == '.'));
     });
@@ -52,8 +53,7 @@ std::optional<Fault> read_assignments(const Accelerator& accelerator, Text text,
         if (!index)
             return Fault{.code = ErrorCode::UnknownKey, .column = key.column, .word = key.bytes};
         if (given[*index])
-            return Fault{
-                .code = ErrorCode::DuplicateKey, .column = key.column, .parameter = index};
+            return Fault{.code = ErrorCode::DuplicateKey, .column = key.column, .parameter = index};
 
         const auto code = read_value(accelerator.parameters[*index], value.bytes);
         if (!code)

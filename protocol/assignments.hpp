@@ -23,6 +23,7 @@ namespace raymarch::protocol
 
 /// Whether forward, right and up have length 1 and stand at right angles within 0.01, judged on the
 /// codes. True for an accelerator that has no such camera.
-[[nodiscard]] bool basis_is_orthonormal(const Accelerator& accelerator, const State& state) noexcept;
+[[nodiscard]] bool basis_is_orthonormal(const Accelerator& accelerator,
+                                        const State& state) noexcept;
 
 } // namespace raymarch::protocol

@@ -47,7 +47,8 @@ struct CommandRow
     std::string_view summary;
 };
 
-// clang-format off: one row a command
+// Laid out by hand: one row a command.
+// clang-format off
 inline constexpr std::array commands = {
     CommandRow{CommandId::Set,         "SET",         Arity::Required, Effect::Writes, "KEY=VALUE,...",  "changes the named parameters only; all or nothing"},
     CommandRow{CommandId::View,        "VIEW",        Arity::Required, Effect::Writes, "YAW,PITCH,ZOOM", "sets the camera from an orbit: degrees, pitch -89.9 to 89.9, zoom as the parameter"},

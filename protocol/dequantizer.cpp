@@ -12,8 +12,8 @@ namespace
 
 constexpr int max_fraction_digits = 18;
 
-/// magnitude / 2^bits to `digits` decimal places, to the nearest: the integer part, and the fraction
-/// as an integer below 10^digits.
+/// magnitude / 2^bits to `digits` decimal places, to the nearest: the integer part, and the
+/// fraction as an integer below 10^digits.
 struct Rounded
 {
     std::uint64_t integer;

@@ -31,7 +31,8 @@ class ValueText
 
 /// The decimal with the fewest fraction digits that lies in the range and quantises back to `code`,
 /// and of those the nearest to it; for a choice its name, or its digits if it has none.
-/// A code of the format that lies outside the range is printed as if the range were the whole format.
+/// A code of the format that lies outside the range is printed as if the range were the whole
+/// format.
 [[nodiscard]] ValueText to_text(const Parameter& parameter, std::int64_t code) noexcept;
 
 } // namespace raymarch::protocol

@@ -19,8 +19,8 @@ struct Typed
     bool line_ended = false;
 };
 
-/// Edits one line. Longer lines than the protocol's are kept one byte longer, so that the line reader
-/// behind finds them too long.
+/// Edits one line. Longer lines than the protocol's are kept one byte longer, so that the line
+/// reader behind finds them too long.
 class EchoEditor
 {
   public:

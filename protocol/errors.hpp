@@ -41,7 +41,8 @@ struct ErrorRow
     std::string_view meaning; ///< what the sender did, or what is wrong here
 };
 
-// clang-format off: one row a code
+// Laid out by hand: one row a code.
+// clang-format off
 inline constexpr std::array errors = {
     ErrorRow{ErrorCode::TooLong,        "TOO_LONG",        "the line is longer than 1024 bytes; it was dropped up to its LF"},
     ErrorRow{ErrorCode::BadByte,        "BAD_BYTE",        "a byte other than 0x20-0x7E and TAB"},
@@ -88,8 +89,8 @@ struct Fault
     ErrorCode code = ErrorCode::Syntax;
     std::size_t column = 0; ///< from 1; 0 where none is known
     std::optional<ParameterIndex> parameter{};
-    std::string_view word{}; ///< an unknown key or command, as written; points into the line
-    ParameterSet missing{};  ///< for MissingKey
+    std::string_view word{};    ///< an unknown key or command, as written; points into the line
+    ParameterSet missing{};     ///< for MissingKey
     std::string_view allowed{}; ///< a static sentence in place of the code's own meaning
 };
 

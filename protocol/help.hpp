@@ -11,8 +11,8 @@
 namespace raymarch::protocol
 {
 
-/// Lines beginning `# ` about `word`, or about everything when it is empty. False, and no line, when
-/// there is nothing of that name.
+/// Lines beginning `# ` about `word`, or about everything when it is empty. False, and no line,
+/// when there is nothing of that name.
 [[nodiscard]] bool write_help(ReplyWriter& reply, const Accelerator& accelerator,
                               std::string_view word) noexcept;
 

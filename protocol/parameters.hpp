@@ -4,7 +4,8 @@
 ///
 /// A table is written with designated initialisers and passed through `complete`, which computes
 /// the codes of the ranges and defaults from their decimal text and refuses to compile a table that
-/// contradicts itself. Parser, packer, help, documents, SystemVerilog and state file read only this.
+/// contradicts itself. Parser, packer, help, documents, SystemVerilog and state file read only
+/// this.
 #pragma once
 
 #include "protocol/decimal.hpp"
@@ -66,7 +67,7 @@ struct Parameter
     std::string_view unit;    ///< empty where there is none
     std::string_view group;   ///< what RESET and RANDOM may name
     Format format;
-    std::string_view min;     ///< decimal text, inclusive; empty for choices
+    std::string_view min; ///< decimal text, inclusive; empty for choices
     std::string_view max;
     std::string_view initial; ///< decimal text, or the name of a choice
     std::array<Slice, 2> slices{};
@@ -153,7 +154,8 @@ struct Accelerator
 
 /// The index of `key` (any case), looked for first at `guess`: keys mostly come in table order.
 [[nodiscard]] constexpr std::optional<ParameterIndex>
-find_parameter(std::span<const Parameter> table, std::string_view key, std::size_t guess = 0) noexcept
+find_parameter(std::span<const Parameter> table, std::string_view key,
+               std::size_t guess = 0) noexcept
 {
     if (guess < table.size() && equal_ignoring_case(table[guess].key, key))
         return static_cast<ParameterIndex>(guess);
@@ -251,8 +253,8 @@ consteval std::array<Parameter, N> complete(std::array<Parameter, N> table)
             if (table[j].key == row.key)
                 detail::table_error("a key stands twice");
         for (const Slice& slice : row.placement()) {
-            const auto mask = static_cast<std::uint32_t>(((std::uint64_t{1} << slice.width()) - 1)
-                                                         << slice.lsb);
+            const auto mask =
+                static_cast<std::uint32_t>(((std::uint64_t{1} << slice.width()) - 1) << slice.lsb);
             if (used[slice.word] & mask)
                 detail::table_error("two parameters share a bit");
             used[slice.word] |= mask;

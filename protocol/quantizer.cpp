@@ -94,9 +94,8 @@ Quantized quantize(const Parameter& parameter, std::string_view text) noexcept
 
     const std::uint64_t shifted = value->significand << bits;
     const std::uint64_t divisor = powers_of_ten[value->fraction_digits];
-    return check_and_round(
-        parameter, value->negative,
-        {.floor = shifted / divisor, .inexact = shifted % divisor != 0});
+    return check_and_round(parameter, value->negative,
+                           {.floor = shifted / divisor, .inexact = shifted % divisor != 0});
 }
 
 } // namespace raymarch::protocol

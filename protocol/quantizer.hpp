@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Decimal text to the code of a parameter, exactly: checked against the range as written, scaled by
-/// 2^f, rounded to the nearest code with ties to even, held at the largest code.
+/// Decimal text to the code of a parameter, exactly: checked against the range as written, scaled
+/// by 2^f, rounded to the nearest code with ties to even, held at the largest code.
 #pragma once
 
 #include "protocol/errors.hpp"
@@ -18,8 +18,8 @@ namespace raymarch::protocol
 [[nodiscard]] tl::expected<std::int64_t, ErrorCode> quantize(const Parameter& parameter,
                                                              std::string_view text) noexcept;
 
-/// The same by the general way alone, which `quantize` leaves to short plain numbers' own; the tests
-/// hold the two together.
+/// The same by the general way alone, which `quantize` leaves to short plain numbers' own; the
+/// tests hold the two together.
 [[nodiscard]] tl::expected<std::int64_t, ErrorCode>
 quantize_any_length(const Parameter& parameter, std::string_view text) noexcept;
 

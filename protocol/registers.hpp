@@ -39,7 +39,8 @@ struct RegisterRow
     std::string_view meaning;
 };
 
-// clang-format off: one row a register
+// Laid out by hand: one row a register.
+// clang-format off
 inline constexpr std::array extended_registers = {
     RegisterRow{Register::Id,         "ID",         "ro", "0x524D4152 (\"RMAR\"); anything else means that words from 8 on are not there"},
     RegisterRow{Register::Version,    "VERSION",    "ro", "major[31:16] minor[15:0]"},

@@ -35,8 +35,7 @@ void write_key(ReplyWriter& reply, const Accelerator& accelerator, const Fault& 
     }
 }
 
-void write_sentence(ReplyWriter& reply, const Accelerator& accelerator,
-                    const Fault& fault) noexcept
+void write_sentence(ReplyWriter& reply, const Accelerator& accelerator, const Fault& fault) noexcept
 {
     if (!fault.allowed.empty()) {
         reply << fault.allowed;
@@ -83,7 +82,8 @@ ReplyWriter& ReplyWriter::operator<<(std::uint64_t number) noexcept
 {
     std::array<char, 20> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number);
-    return *this << std::string_view(digits.data(), static_cast<std::size_t>(end.ptr - digits.data()));
+    return *this << std::string_view(digits.data(),
+                                     static_cast<std::size_t>(end.ptr - digits.data()));
 }
 
 ReplyWriter& ReplyWriter::hex(std::uint32_t word) noexcept

@@ -69,9 +69,8 @@ Request read_request(const Line& line, bool require_checksum) noexcept
         return request;
     const auto bad = std::ranges::find_if_not(line.bytes, is_allowed);
     if (bad != line.bytes.end())
-        return faulty(request,
-                      {.code = ErrorCode::BadByte,
-                       .column = static_cast<std::size_t>(bad - line.bytes.begin()) + 1});
+        return faulty(request, {.code = ErrorCode::BadByte,
+                                .column = static_cast<std::size_t>(bad - line.bytes.begin()) + 1});
     if (auto fault = check_mark(request, require_checksum))
         return faulty(request, *fault);
 
@@ -88,9 +87,9 @@ Request read_request(const Line& line, bool require_checksum) noexcept
     const std::string_view word = bytes.substr(0, word_end);
     request.command = find_command(word);
     if (request.command == nullptr)
-        return faulty(request, {.code = ErrorCode::UnknownCommand,
-                                .column = request.text.column,
-                                .word = word});
+        return faulty(
+            request,
+            {.code = ErrorCode::UnknownCommand, .column = request.text.column, .word = word});
     request.command_column = request.text.column;
     request.text = behind;
     if (request.command->words == Arity::Required && behind.empty())

@@ -40,9 +40,8 @@ std::vector<Field> fields_of_word(const Accelerator& accelerator, std::size_t wo
                 fields.push_back({&parameter, slice, below});
         }
     }
-    std::ranges::sort(fields, [](const Field& a, const Field& b) {
-        return a.slice.msb > b.slice.msb;
-    });
+    std::ranges::sort(fields,
+                      [](const Field& a, const Field& b) { return a.slice.msb > b.slice.msb; });
     return fields;
 }
 
@@ -93,8 +92,8 @@ std::string parameter_words(const Accelerator& accelerator)
                 part ? fmt::format("{{{}:{}}}", field.lowest_bit + field.slice.width() - 1,
                                    field.lowest_bit)
                      : "";
-            fields += fmt::format("{}{}{}[{}:{}]", fields.empty() ? "" : " ",
-                                  field.parameter->key, bits, field.slice.msb, field.slice.lsb);
+            fields += fmt::format("{}{}{}[{}:{}]", fields.empty() ? "" : " ", field.parameter->key,
+                                  bits, field.slice.msb, field.slice.lsb);
         }
         page += fmt::format("| {} | 0x{:02X} | {} |\n", word,
                             accelerator.first_word_offset + 4 * word, fields);
@@ -103,9 +102,10 @@ std::string parameter_words(const Accelerator& accelerator)
     std::string words;
     for (std::size_t word = 0; word < accelerator.word_count; ++word)
         words += fmt::format("{}{:08X}", word == 0 ? "" : " ", defaults[word]);
-    page += fmt::format("\n`KEY{{b:a}}` are bits b to a of a parameter that spans words. Signed fields "
-                        "are two's complement in their width.\nThe words of the defaults:\n\n    {}\n",
-                        words);
+    page +=
+        fmt::format("\n`KEY{{b:a}}` are bits b to a of a parameter that spans words. Signed fields "
+                    "are two's complement in their width.\nThe words of the defaults:\n\n    {}\n",
+                    words);
     return page;
 }
 
@@ -113,26 +113,31 @@ std::string parameter_words(const Accelerator& accelerator)
 
 std::string registers_page()
 {
-    std::string page =
-        "<!-- Made by dump_tables from protocol/; ./dev docs writes it again. -->\n"
-        "# The register block\n\n"
-        "One AXI-lite slave of 4 KiB with 32-bit words; a byte offset is 4 times a word's index. An\n"
-        "accelerator without the extended registers (ID reads something else) has its parameter words\n"
-        "only and is driven as well.\n\n";
+    std::string page = "<!-- Made by dump_tables from protocol/; ./dev docs writes it again. -->\n"
+                       "# The register block\n\n"
+                       "One AXI-lite slave of 4 KiB with 32-bit words; a byte offset is 4 times a "
+                       "word's index. An\n"
+                       "accelerator without the extended registers (ID reads something else) has "
+                       "its parameter words\n"
+                       "only and is driven as well.\n\n";
     for (const Accelerator* accelerator : accelerators)
         page += parameter_words(*accelerator) + "\n";
-    page += "## Extended registers\n\n| word | offset | name | access | |\n| --- | --- | --- | --- | --- |\n";
+    page += "## Extended registers\n\n| word | offset | name | access | |\n| --- | --- | --- | --- "
+            "| --- |\n";
     for (const RegisterRow& row : extended_registers)
-        page += fmt::format("| {} | 0x{:02X} | {} | {} | {} |\n",
-                            static_cast<unsigned>(row.at) / 4, static_cast<unsigned>(row.at),
-                            row.name, row.access, cell(row.meaning));
-    page +=
-        "\nIn shadow mode the parameter words can be written at any time; they reach the ray units\n"
-        "together, at the first frame start after a write to COMMIT. While STATUS says that a commit is\n"
-        "pending the service writes no parameter word, as the frame start could fall between two of\n"
-        "them: the newest state waits.\n\n"
-        "The interrupt is level: high while STATUS.frame done and CONTROL.interrupt enable are set.\n"
-        "Through UIO, a read of 4 bytes gives the count, a write of the 32-bit number 1 unmasks it again.\n";
+        page += fmt::format("| {} | 0x{:02X} | {} | {} | {} |\n", static_cast<unsigned>(row.at) / 4,
+                            static_cast<unsigned>(row.at), row.name, row.access, cell(row.meaning));
+    page += "\nIn shadow mode the parameter words can be written at any time; they reach the ray "
+            "units\n"
+            "together, at the first frame start after a write to COMMIT. While STATUS says that a "
+            "commit is\n"
+            "pending the service writes no parameter word, as the frame start could fall between "
+            "two of\n"
+            "them: the newest state waits.\n\n"
+            "The interrupt is level: high while STATUS.frame done and CONTROL.interrupt enable are "
+            "set.\n"
+            "Through UIO, a read of 4 bytes gives the count, a write of the 32-bit number 1 "
+            "unmasks it again.\n";
     return page;
 }
 
@@ -140,9 +145,10 @@ std::string parameters_section()
 {
     std::string text;
     for (const Accelerator* accelerator : accelerators) {
-        text += fmt::format("\nParameters of `{}`:\n\n| key | meaning | unit | range | format, bits | "
-                            "group | default |\n| --- | --- | --- | --- | --- | --- | --- |\n",
-                            accelerator->name);
+        text +=
+            fmt::format("\nParameters of `{}`:\n\n| key | meaning | unit | range | format, bits | "
+                        "group | default |\n| --- | --- | --- | --- | --- | --- | --- |\n",
+                        accelerator->name);
         for (const Parameter& parameter : accelerator->parameters)
             text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", parameter.key,
                                 parameter.meaning, parameter.unit, range_of(parameter),
@@ -182,14 +188,15 @@ std::string presets_section()
 
 std::string settings_file()
 {
-    std::string text = "# raymarchd.toml: every setting with its default. The command line beats this "
-                       "file;\n# raymarchd --check-config says what is wrong with it.\n";
+    std::string text =
+        "# raymarchd.toml: every setting with its default. The command line beats this "
+        "file;\n# raymarchd --check-config says what is wrong with it.\n";
     for (const daemon::Setting& setting : daemon::settings()) {
         const bool bare = setting.initial == "true" || setting.initial == "false" ||
                           std::ranges::all_of(setting.initial, detail::is_digit);
-        text += fmt::format("\n# {}\n# {}\n#{} = {}\n", setting.meaning, setting.value, setting.name,
-                            bare ? std::string(setting.initial)
-                                 : fmt::format("\"{}\"", setting.initial));
+        text += fmt::format(
+            "\n# {}\n# {}\n#{} = {}\n", setting.meaning, setting.value, setting.name,
+            bare ? std::string(setting.initial) : fmt::format("\"{}\"", setting.initial));
     }
     return text;
 }

@@ -38,8 +38,8 @@ Frame latch(std::span<const std::uint32_t> words) noexcept
         return Coordinate::from_raw(code * (std::int32_t{1} << shift));
     });
     for (std::size_t i = 0; i < frame.colour.size(); ++i)
-        frame.colour[i] = static_cast<std::uint16_t>(
-            state.codes[table::description.colour->channels[i]]);
+        frame.colour[i] =
+            static_cast<std::uint16_t>(state.codes[table::description.colour->channels[i]]);
     frame.scene = static_cast<Scene>(state.codes[table::OBJ]);
     return frame;
 }

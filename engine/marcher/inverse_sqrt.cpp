@@ -49,8 +49,9 @@ InverseSqrt inverse_sqrt(std::uint64_t squared) noexcept
     const int zeros = std::countl_zero(squared);
     const std::uint64_t normalised = squared << zeros; // 1/2 to 1
     const auto index = static_cast<std::size_t>(normalised >> (63 - index_bits)) & (entries - 1);
-    const std::uint32_t step = static_cast<std::uint32_t>(normalised >> (63 - index_bits - step_bits)) &
-                               ((std::uint32_t{1} << step_bits) - 1);
+    const std::uint32_t step =
+        static_cast<std::uint32_t>(normalised >> (63 - index_bits - step_bits)) &
+        ((std::uint32_t{1} << step_bits) - 1);
 
     const std::uint32_t fall = table[index] - table[index + 1];
     std::uint32_t mantissa = table[index] - ((fall * step) >> step_bits);

@@ -11,8 +11,8 @@
 namespace raymarch::engine::marcher
 {
 
-/// 1 / sqrt(S) of a 64-bit integer S > 0, as mantissa * 2^-(24 + shift): so `(v * mantissa) >> shift`
-/// is v / sqrt(S) in Q8.24.
+/// 1 / sqrt(S) of a 64-bit integer S > 0, as mantissa * 2^-(24 + shift): so `(v * mantissa) >>
+/// shift` is v / sqrt(S) in Q8.24.
 struct InverseSqrt
 {
     std::uint32_t mantissa; ///< Q2.30, above 0.7071 and at most 1.4143

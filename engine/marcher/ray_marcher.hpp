@@ -17,9 +17,9 @@ struct March
     Point point{};   ///< where the last one was made
 };
 
-/// Follows origin + direction * t. After each query t grows by the distance d; then the ray ends: as
-/// a miss when t > max_distance or max_steps queries were made, else as a hit when
-/// d < surface_distance.
+/// Follows origin + direction * t. After each query t grows by the distance d; then the ray ends:
+/// as a miss when t > max_distance or max_steps queries were made, else as a hit when d <
+/// surface_distance.
 [[nodiscard]] March march(const Point& origin, const Point& direction, Distance distance) noexcept;
 
 } // namespace raymarch::engine::marcher

@@ -19,7 +19,8 @@ using Distance = Coordinate (*)(const Point& p) noexcept;
 [[nodiscard]] Coordinate sphere(const Point& p) noexcept;        ///< radius 1
 [[nodiscard]] Coordinate cube(const Point& p) noexcept;          ///< half width 1/2
 [[nodiscard]] Coordinate infinite_cube(const Point& p) noexcept; ///< half width 1/4, period 1
-[[nodiscard]] Coordinate tunnel(const Point& p) noexcept;        ///< infinite Menger sponge (001, Fig. 7, 9)
+[[nodiscard]] Coordinate
+tunnel(const Point& p) noexcept; ///< infinite Menger sponge (001, Fig. 7, 9)
 
 struct SceneRow
 {

@@ -12,8 +12,7 @@ Coordinate brightness(const Point& normal, const Point& light) noexcept
         normal.x * light.x + normal.y * light.y + normal.z * light.z; // one shift for the sum
     const std::int32_t diffuse = std::max(narrow<Coordinate>(products).raw(), 0);
     const std::int32_t sky = std::max(normal.y.raw(), 0);
-    return ratio(1, 8) + Coordinate::from_raw(sky >> 3) +
-           Coordinate::from_raw((3 * diffuse) >> 2);
+    return ratio(1, 8) + Coordinate::from_raw(sky >> 3) + Coordinate::from_raw((3 * diffuse) >> 2);
 }
 
 std::array<std::uint8_t, 3> shade(const std::array<std::uint16_t, 3>& colour,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// TABLE: the marcher of source 000 (Imperial College, "Mathematical Accelerator"): signed distance
-/// scenes by sphere tracing in Q8.24. Fields, widths and formats: its Tables 4 to 6; ranges: §5.1.2.
+/// scenes by sphere tracing in Q8.24. Fields, widths and formats: its Tables 4 to 6; ranges:
+/// §5.1.2.
 #pragma once
 
 #include "protocol/parameters.hpp"
@@ -21,7 +22,8 @@ inline constexpr std::array<std::string_view, 4> scenes = {"sphere", "cube", "in
 /// Indices into the table below.
 enum Index : ParameterIndex { FX, FY, FZ, RX, RY, RZ, UX, UY, UZ, ZM, LX, LY, LZ, R, G, B, OBJ };
 
-// clang-format off: one row a parameter
+// Laid out by hand: one row a parameter.
+// clang-format off
 inline constexpr auto parameters = complete(std::array{
     Parameter{.key = "FX", .meaning = "camera basis, from the target to the camera, x", .unit = "", .group = "camera", .format = direction_format, .min = "-1", .max = "1", .initial = "0", .slices = {{{2, 31, 14}}}},
     Parameter{.key = "FY", .meaning = "camera basis, from the target to the camera, y", .unit = "", .group = "camera", .format = direction_format, .min = "-1", .max = "1", .initial = "0", .slices = {{{2, 13, 0}, {3, 31, 28}}}, .slice_count = 2},
@@ -67,7 +69,8 @@ inline constexpr Accelerator description = {
     .clock_hz = 100'000'000,
     .parameters = parameters,
     .presets = presets,
-    .camera = OrbitCamera{.forward = {FX, FY, FZ}, .right = {RX, RY, RZ}, .up = {UX, UY, UZ}, .zoom = ZM},
+    .camera =
+        OrbitCamera{.forward = {FX, FY, FZ}, .right = {RX, RY, RZ}, .up = {UX, UY, UZ}, .zoom = ZM},
     .colour = Colour{{R, G, B}},
 };
 

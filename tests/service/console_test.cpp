@@ -54,9 +54,9 @@ TEST(Tool, EncodeAnswersEachLineOfItsInput)
     const Finished result = run_tool(folder, {"encode"}, input);
     EXPECT_EQ(result.status, 1);
     std::istringstream lines(result.output);
-    const std::vector<std::string> wanted = {"OK " + words, "ERR UNKNOWN_COMMAND col=1 : ",
-                                             "ERR BAD_BYTE col=1 : ", "ERR TOO_LONG : ",
-                                             "OK " + words};
+    const std::vector<std::string> wanted = {
+        "OK " + words,
+        "ERR UNKNOWN_COMMAND col=1 : ", "ERR BAD_BYTE col=1 : ", "ERR TOO_LONG : ", "OK " + words};
     std::string line;
     for (const std::string& front : wanted) {
         ASSERT_TRUE(std::getline(lines, line)) << "expected " << front;
@@ -73,16 +73,17 @@ TEST(Tool, DecodesWords)
     EXPECT_EQ(result.output, "FX=0,FY=0,FZ=0.99999,RX=0.99999,RY=0,RZ=0,UX=0,UY=0.99999,UZ=0,ZM=3,"
                              "LX=3,LY=2,LZ=5,R=0.999,G=0.999,B=0.999,OBJ=sphere\n");
     EXPECT_EQ(run_tool(folder, {"decode", "01804028"}).status, EX_USAGE);
-    EXPECT_EQ(run_tool(folder, {"decode", "1", "2", "3", "4", "5", "6", "7", "G"}).status, EX_USAGE);
+    EXPECT_EQ(run_tool(folder, {"decode", "1", "2", "3", "4", "5", "6", "7", "G"}).status,
+              EX_USAGE);
 }
 
 TEST(Tool, LineWordsAndSetDrawTheSame)
 {
     const TemporaryFolder folder;
-    const Finished line = run_tool(folder, {"render", "--line", frame, "--size", "32x24", "-o", "-"});
-    const Finished set =
-        run_tool(folder, {"render", "--set", "OBJ=sphere", "--size", "32x24", "--threads", "1",
-                          "--reference", "-o", "-"});
+    const Finished line =
+        run_tool(folder, {"render", "--line", frame, "--size", "32x24", "-o", "-"});
+    const Finished set = run_tool(folder, {"render", "--set", "OBJ=sphere", "--size", "32x24",
+                                           "--threads", "1", "--reference", "-o", "-"});
     std::vector<std::string> arguments = with_words({"render", "--registers"});
     arguments.insert(arguments.end(), {"--size", "32x24", "-o", "-"});
     const Finished registers = run_tool(folder, arguments);
@@ -153,8 +154,9 @@ TEST(Tool, ConformanceOverTerminalAndSocket)
     const TemporaryFolder folder;
     const Service service(folder);
     ASSERT_TRUE(service.ready());
-    for (const auto& [option, where] : {std::pair<std::string, std::string>{"--port", service.terminal()},
-                                        {"--socket", service.control()}}) {
+    for (const auto& [option, where] :
+         {std::pair<std::string, std::string>{"--port", service.terminal()},
+          {"--socket", service.control()}}) {
         const Finished result = run_tool(folder, {"conformance", option, where});
         EXPECT_EQ(result.status, EX_OK) << result.output << result.errors;
         EXPECT_NE(result.output.find(" passed, 0 failed\n"), std::string::npos) << result.output;

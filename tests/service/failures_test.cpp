@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What is missing at the start or goes away later: the service stays up, says so, and finds it again.
+/// What is missing at the start or goes away later: the service stays up, says so, and finds it
+/// again.
 #include "service/support.hpp"
 
 #include <gtest/gtest.h>
@@ -120,8 +121,8 @@ TEST(Failures, NewestStateWins)
     for (int i = 0; i <= 200; ++i)
         ASSERT_TRUE(host.reply().starts_with("OK seq="));
     const std::string line = host.ask("GET").substr(3);
-    const Finished wanted = run_tool(folder, {"render", "--line", line, "--size", "160x120", "-o",
-                                              folder / "wanted.png"});
+    const Finished wanted = run_tool(
+        folder, {"render", "--line", line, "--size", "160x120", "-o", folder / "wanted.png"});
     if (wanted.errors.find("needs OpenCV") != std::string::npos)
         return; // a build without the picture module has no preview either
     ASSERT_EQ(wanted.status, 0) << wanted.errors;
@@ -129,8 +130,8 @@ TEST(Failures, NewestStateWins)
         std::ifstream file(path, std::ios::binary);
         return std::string(std::istreambuf_iterator<char>(file), {});
     };
-    EXPECT_TRUE(eventually(
-        [&] { return content(folder / "now.png") == content(folder / "wanted.png"); }));
+    EXPECT_TRUE(
+        eventually([&] { return content(folder / "now.png") == content(folder / "wanted.png"); }));
 }
 
 } // namespace
