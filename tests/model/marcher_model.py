@@ -621,16 +621,19 @@ def boundary_rows() -> Iterator[Row]:
             lambda c, queries=queries: all_hit(c) and c.queries == queries,
         )
     corner = (-131072, -131072, -131072)
-    for zoom, t, told in (
-        (EXACT_MAX_DIST, MAX_DIST, "exactly MAX_DIST: a hit"),
-        (EXACT_MAX_DIST + 1, None, "just beyond MAX_DIST: a miss although the point is at the surface"),
+    for vector, zoom, beyond, told in (
+        (corner, 203412930, 0, "exactly MAX_DIST: a hit"),
+        ((-120849, -122569, -121854), 218970720, 1, "one raw beyond MAX_DIST: a miss although the point is at the surface"),
     ):
+        # zooms found by search
         yield Row(
             1,
             1,
-            one_ray(zoom, scene=SPHERE, forward=corner, light=(-300, -200, -100)),
+            one_ray(zoom, scene=SPHERE, forward=vector, light=(-300, -200, -100)),
             f"sphere: t at the surface is {told}",
-            lambda c, t=t: (all_hit(c) and c.last is not None and c.last.t == t) if t else c.near_misses_by_distance == 1,
+            lambda c, beyond=beyond: c.last is not None
+            and c.last.t == MAX_DIST + beyond
+            and (c.near_misses_by_distance if beyond else c.hits) == 1,
         )
     a, b = 47186, 13107  # 0.36, 0.1: between the rows of cubes, the ray runs along z
     yield Row(
@@ -647,10 +650,52 @@ def boundary_rows() -> Iterator[Row]:
         "infinite_cube: two rays come within SURFACE_DIST at the hundredth query, before MAX_DIST, and are misses",
         lambda c: c.near_misses_by_queries == 2,
     )
+    yield Row(
+        17,
+        13,
+        pack(INFINITE_CUBE, 16 << 24, (FULL,) * 3, (FULL, FULL, FULL // 2), (-FULL, FULL // 2, FULL), (-512,) * 3, WHITE),
+        "infinite_cube: rays from (16, 16, 16) outwards, light at (-64, -64, -64): squared lengths from 2^62 on",
+        some_hit,
+    )
+    yield Row(
+        2,
+        1,
+        parse_words("01006020 02373710 C9853355 AC4DDBFF 930AE6AB B89BCFFF 00000000 000003FF"),
+        "sphere: the right pixel's direction is longer than 1, rounded down in three negative components; t comes near 20",
+    )
 
 
-# Found by search: the sphere's surface is reached at exactly t = MAX_DIST from this zoom along (-1, -1, -1).
-EXACT_MAX_DIST = 203412930
+def parse_words(text: str) -> list[int]:
+    return [int(word, 16) for word in text.split()]
+
+
+# Found by search among random frames of 11x9: at least one channel of one pixel depends on what is named.
+LOW_BIT_FRAMES = (
+    ("3D2F0C07 01830736 3077E2C5 0ECEABFF AF38F413 45715B83 A957BAC4 6A426F08", "the constant 3037000500 (not one less)"),
+    ("3CD0F820 017312F6 80A2FD55 A06FB7FF 079C2208 6D3C1F97 0A397519 177E8757", "the constant 3037000500 (not one more)"),
+    ("BC1F7417 02D23123 A847B055 B45033FF 5BEC7564 84E51FED F08959CF 04A14360", "the table, rounded and not cut"),
+    ("FC100C3A 02E7D374 FEB4B370 175B7BFF 7C27B8B9 0F4F0BCB 1F1CDC84 63108F0A", "the lowest bit of g"),
+    ("012F0C17 017CBABF 778734EC 40B92BFF FE8BB6FF E852D3B5 2DC5DCA4 0DDE0B66", "the lowest bit of m in length"),
+    ("03F0E827 01581BB6 7E7DBB41 BFB137FF 13831DB1 B2B89785 FE1DF50E 87844B43", "the bits of n that m leaves out in length"),
+    ("3C003BD8 014E99E8 A012B1B2 3C17C7FF 3DE4240C C075AFE8 C61C39D2 46F74346", "length cut and not rounded"),
+    ("81407BE7 10000000 8CB25328 462D07FF EE209475 02B74397 197FF4E0 05FEEB76", "the zoom limit of exactly 16"),
+    ("C30F1BC8 01B3766F 776D7AC5 D2909BFF 11C72AED CA1527C2 2A7D1782 5B443F5F", "mul rounding to minus infinity in p"),
+    ("C1B0CFF2 01D56307 45ED90FA FAD0C7FF 15892585 5BB6E3B0 96F985E0 5BAB5F4A", "the tunnel's b of cell 1 (not one more)"),
+    ("FCA07413 020AB12C 947D02CB DBB713FF 02872098 9E78B37F BA94FA86 B6949F46", "the tunnel's b of cell 1 (not one less)"),
+    ("C32F37CE 01AE5F06 35F422FD 1FD7AFFF 389CC72F 190DAF85 6554CB6E F3F70323", "the tunnel's b of cell 1/2 (not one more)"),
+    ("C0A0F42A 02946E0D 4D0ECCB1 558B47FF CF8F6C14 857AFB92 59FFAA69 2E33F32B", "the tunnel's b of cell 1/2 (not one less)"),
+    ("C32F1C0C 014CBC38 00472000 100493FF 842FBFF3 720773E3 DF897FE9 D842FB0F", "the tunnel's b of cell 1/8 (not one more)"),
+    ("FC1FBC23 020E2BF7 F3B2A07D 812A03FF 168AFADB 983B0FD5 7D65FDD5 4182CB0A", "the tunnel's b of cell 1/8 (not one less)"),
+    ("C3A0801C 0249962B 7902C635 EDE7CBFF EEA3F01F 0923C7A1 DA111B14 5C75275E", "the one shift after the sum of dot"),
+    ("80AF3819 01848DAC 091CA0A9 6183CBFF 179D4662 27B2F787 82873EED 018F1B29", "3 * diffuse before the shift"),
+    ("0320D7D2 01873972 E7AA5EB2 7E5433FF 4888C8FD C6324BBB 669E80EC 9B395357", "sky and diffuse shifted apart"),
+)
+
+
+def low_bit_rows() -> Iterator[Row]:
+    for text, told in LOW_BIT_FRAMES:
+        words = parse_words(text)
+        yield Row(11, 9, words, f"{SCENE_NAMES[words[0] >> 30]}: a pixel's channel depends on {told}", some_hit)
 
 
 def golden_rows() -> Iterator[Row]:
@@ -664,6 +709,7 @@ def golden_rows() -> Iterator[Row]:
     yield from size_rows(rng)
     yield from zoom_limit_rows()
     yield from boundary_rows()
+    yield from low_bit_rows()
 
 
 def golden() -> None:
@@ -685,7 +731,7 @@ def golden() -> None:
 
 # --- The page's claims, recomputed ----------------------------------------------------------------------------------
 
-PAGE_REACH = Fraction(1, 1 << 20)  # section "Ranges": |p| is at most |E| + t + this
+PAGE_REACH = Fraction(1, 1 << 18)  # section "Ranges": |p| is at most |E| + t + this
 PROVED_REACH = Fraction(1, 1 << 18)
 
 def nearest(decimal: str, scale: int = ONE) -> int:
@@ -770,13 +816,15 @@ def check_reach() -> None:
     worst, at = Fraction(0), (0, 0, 0)
     for k in range(200000):
         bits = 4 + k % 26
-        v = tuple(-rng.getrandbits(bits) for _ in range(3)) if k % 2 else tuple(-((1 << bits) | rng.getrandbits(bits - 2)) for _ in range(3))
+        least = 0 if k % 2 else 1 << bits
+        v = tuple(-(least + rng.getrandbits(bits if k % 2 else bits - 2)) for _ in range(3))
         d = normalise((v[0], v[1], v[2]))
         norm = norm_ceiling(d)
         if norm > worst:
             worst, at = norm, (v[0], v[1], v[2])
     excess = worst - 1
-    report("a direction is longer than 1 by less than a 20th of the page's bound", 20 * excess < PAGE_REACH, f"|D| reaches 1 + {float(excess):.3e} for d = {at}")
+    told = "a direction is longer than 1 by less than a 20th of the page's bound"
+    report(told, 20 * excess < PAGE_REACH, f"|D| reaches 1 + {float(excess):.3e} for d = {at}")
     bound = Fraction(1) + Fraction(1, 1 << 25)
     # |D| <= (1 + 2^-25) + sqrt(3) * 2^-24, the floor of mul adds sqrt(3) * 2^-24 once more; 1.7321 > sqrt(3)
     reach = 20 * (bound + Fraction(17321, 10000) / ONE) + Fraction(17321, 10000) / ONE - 20
@@ -859,7 +907,8 @@ def check_traced_ranges(frames: int = 400) -> None:
     one = Fraction(ONE) * (1 + Fraction(1, 1 << 25)) + Fraction(17321, 10000)
     top = (1 << 21) + one / 8 + Fraction(3, 4) * one * one / ONE
     report("colour times B has up to 35 bits", 1023 * top < 1 << 35, f"B at most 2^24 + {float(top - ONE):.2f}")
-    report("the channel never needs to be held at 255", int(1023 * top) >> 26 <= 255, f"largest B traced 2^24 * {brightest / ONE:.6f}")
+    unheld = int(1023 * top) >> 26 <= 255
+    report("the channel never needs to be held at 255", unheld, f"largest B traced 2^24 * {brightest / ONE:.6f}")
 
 
 def check() -> None:
