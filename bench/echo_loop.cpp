@@ -26,7 +26,7 @@ constexpr drivers::RegOffset last_word{4 * 7};
 
 int complain(const Error& error)
 {
-    std::fprintf(stderr, "bench_echo_loop: %s\n", error.message.c_str());
+    static_cast<void>(std::fprintf(stderr, "bench_echo_loop: %s\n", error.message.c_str()));
     return exit_status(error.kind);
 }
 

@@ -20,8 +20,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -76,7 +76,7 @@ Frames first_frame()
 /// The same frames, each with its pairs in an order of its own.
 Frames shuffled_frames()
 {
-    std::mt19937 random(17); // NOLINT(cert-msc51-cpp): the same order in every run
+    std::mt19937 random(17); // NOLINT(cert-msc32-c,cert-msc51-cpp): the same order in every run
     Frames shuffled;
     for (const std::string& frame : mixed_frames()) {
         std::vector<std::string> pairs;
@@ -99,8 +99,7 @@ Frames shuffled_frames()
 /// A register page in a file that has no name any more.
 std::unique_ptr<drivers::MappedWindow> register_page()
 {
-    std::string path = (std::getenv("TMPDIR") != nullptr ? std::getenv("TMPDIR") : "/tmp");
-    path += "/raymarch-bench-XXXXXX";
+    std::string path = (std::filesystem::temp_directory_path() / "raymarch-bench-XXXXXX").string();
     const UniqueFd fd(::mkstemp(path.data()));
     if (!fd)
         give_up("no temporary file at " + path);
@@ -135,7 +134,7 @@ void run_frames(benchmark::State& state, const Frames& frames, std::size_t chunk
     const auto page = register_page();
     LineReader reader;
     std::size_t next = 0;
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         std::string_view frame = frames[next];
         benchmark::DoNotOptimize(frame);
         while (!frame.empty()) {
@@ -153,7 +152,7 @@ void stores(benchmark::State& state)
 {
     const auto page = register_page();
     Words words = pack(accelerator, initial_state(accelerator));
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         benchmark::DoNotOptimize(words);
         store(*page, words);
     }
@@ -186,7 +185,7 @@ void session(benchmark::State& state)
     daemon::Session session(controller);
     const Frames& frames = mixed_frames();
     std::size_t next = 0;
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         std::string_view frame = frames[next];
         benchmark::DoNotOptimize(frame);
         session.receive(frame);
@@ -201,7 +200,7 @@ void session(benchmark::State& state)
 
 void number(benchmark::State& state, std::string_view text)
 {
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         benchmark::DoNotOptimize(text);
         auto code = quantize(zoom, text);
         benchmark::DoNotOptimize(code);
@@ -220,7 +219,7 @@ void get(benchmark::State& state)
     }
     ReplyWriter reply;
     std::size_t next = 0;
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
         benchmark::DoNotOptimize(states[next]);
         reply.begin(false);
         reply << "OK ";

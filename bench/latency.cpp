@@ -183,7 +183,7 @@ void print(std::vector<Contestant>& contestants)
 int main(int argc, char** argv)
 {
     for (const int signal : {SIGINT, SIGTERM})
-        std::signal(signal, [](int) { interrupted = 1; });
+        static_cast<void>(std::signal(signal, [](int) { interrupted = 1; }));
     std::size_t frames = 2000;
     auto contestants = read_arguments({argv + 1, static_cast<std::size_t>(argc - 1)}, frames);
     if (!contestants) {

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 HERE = Path(__file__).resolve().parent
+SOURCE = "the source's way in Python"
 PYTHON_LOOP = [sys.executable, str(HERE / "serial_loop.py"), "{registers}", "{link}"]
 
 
@@ -29,11 +30,12 @@ class Row:
     more_is_better: bool = False
 
     @property
-    def ratio(self) -> float:
+    def ratio(self) -> float | None:
         """Above 1: better than what it is compared with."""
-        best, worst = (self.value, self.other_value) if self.more_is_better else (
-            self.other_value, self.value)
-        return best / worst if worst else float("nan")
+        better, worse = self.other_value, self.value
+        if self.more_is_better:
+            better, worse = worse, better
+        return better / worse if worse else None
 
 
 def processor() -> str:
@@ -48,19 +50,25 @@ def output(*command: str | Path) -> str:
                           check=True).stdout
 
 
+def python_frame_ns(rounds: str) -> float:
+    return float(json.loads(output(sys.executable, HERE / "frame_path.py", rounds))["median_ns"])
+
+
 def frame_path(build: Path, quick: bool) -> list[Row]:
+    rounds = "50" if quick else "500"
+    python = [python_frame_ns(rounds)]
     report = json.loads(output(
         build / "bench_frame_path", "--benchmark_format=json", "--benchmark_repetitions=5",
         "--benchmark_enable_random_interleaving=true", "--benchmark_report_aggregates_only=true",
         f"--benchmark_min_time={0.02 if quick else 0.2}"))
     ns = {run["run_name"]: run["cpu_time"] for run in report["benchmarks"]
           if run["aggregate_name"] == "median"}
-    python = json.loads(output(sys.executable, HERE / "frame_path.py", "50" if quick else "500"))
+    python.append(python_frame_ns(rounds))
+    source = SOURCE, min(python)  # before and after: its better one
     mixed = ns["frame/mixed"]
     return [
-        Row("frame to registers", mixed, "ns", "the source's way in Python", python["median_ns"]),
-        Row("session: frame, check, read-back, reply", ns["session/mixed"], "ns",
-            "the source's way in Python", python["median_ns"]),
+        Row("frame to registers", mixed, "ns", *source),
+        Row("session: frame, check, read-back, reply", ns["session/mixed"], "ns", *source),
         Row("the same line again and again", ns["frame/one"], "ns", "64 different", mixed),
         Row("pairs in any order", ns["frame/any_order"], "ns", "table order", mixed),
         Row("in chunks of 16 bytes", ns["frame/chunks_of_16"], "ns", "whole line", mixed),
@@ -86,20 +94,21 @@ def latency(build: Path, quick: bool) -> list[Row]:
         found[name] = {key: float(value) for key, value in (pair.split("=") for pair in pairs)}
     return [Row(f"last byte to register, {label}", found["service"][key], "us", other,
                 found[name][key])
-            for label, key in (("median", "median_us"), ("99th percentile", "p99_us"))
-            for name, other in (("python", "the source's way in Python"), ("floor", "echo loop"))]
+            for label, key in (("least", "min_us"), ("median", "median_us"),
+                               ("99th percentile", "p99_us"))
+            for name, other in (("python", SOURCE), ("floor", "echo loop"))]
 
 
 def footprint(build: Path, quick: bool) -> list[Row]:
     seconds = "2" if quick else "10"
     ours, python = (json.loads(output(sys.executable, HERE / "footprint.py", "--seconds", seconds,
                                       *command)) for command in (service(build), PYTHON_LOOP))
-    other = "the source's way in Python"
     return [
-        Row("resident memory", ours["resident_kb"], "kB", other, python["resident_kb"]),
-        Row("proportional share of memory", ours["proportional_kb"], "kB", other,
+        Row("resident memory", ours["resident_kb"], "kB", SOURCE, python["resident_kb"]),
+        Row("proportional share of memory", ours["proportional_kb"], "kB", SOURCE,
             python["proportional_kb"]),
-        Row(f"wake-ups in {seconds} idle seconds", ours["wake_ups"], "", other, python["wake_ups"]),
+        Row(f"wake-ups in {seconds} idle seconds", ours["wake_ups"], "", SOURCE,
+            python["wake_ups"]),
     ]
 
 
@@ -113,16 +122,22 @@ def encode_rate(build: Path, quick: bool, python_ns: float) -> list[Row]:
         print(f"run: encode said OK to {rate['answered']} of {rate['lines']} lines, and ended with "
               f"{rate['status']}", file=sys.stderr)
     return [Row("raymarchctl encode", rate["frames_per_second"], "frames/s",
-                "the source's way in Python", 1e9 / python_ns, more_is_better=True)]
+                SOURCE, 1e9 / python_ns, more_is_better=True)]
 
 
-def print_table(rows: list[Row]) -> None:
-    print(f"{processor()}; ratio above 1: better than what it is compared with\n")
+def load() -> str:
+    return " ".join(f"{load:.2f}" for load in os.getloadavg())
+
+
+def print_table(rows: list[Row], load_before: str) -> None:
+    print(f"{processor()}; load before {load_before}, after {load()}")
+    print("ratio above 1: better than what it is compared with\n")
     print(f"{'question':<42}{'value':>18}  {'compared with':<28}{'':>10}{'ratio':>9}")
     for row in rows:
         digits = 1 if row.unit in ("ns", "us") else 0
+        ratio = "-" if row.ratio is None else f"{row.ratio:.2f}"
         print(f"{row.question:<42}{row.value:>9,.{digits}f} {row.unit:<8}  {row.other:<28}"
-              f"{row.other_value:>10,.{digits}f}{row.ratio:>9.2f}")
+              f"{row.other_value:>10,.{digits}f}{ratio:>9}")
 
 
 def main() -> None:
@@ -134,13 +149,15 @@ def main() -> None:
     build: Path = options.build.resolve()
     quick: bool = options.quick
 
+    load_before = load()
     rows = frame_path(build, quick)
     rows += latency(build, quick)
     rows += footprint(build, quick)
     rows += encode_rate(build, quick, rows[0].other_value)
-    print_table(rows)
+    print_table(rows, load_before)
     if options.json:
         report: dict[str, Any] = {"processor": processor(), "quick": quick,
+                                  "load_before": load_before, "load_after": load(),
                                   "rows": [asdict(row) | {"ratio": row.ratio} for row in rows]}
         options.json.write_text(json.dumps(report, indent=2) + "\n")
 

@@ -113,9 +113,11 @@ Result<std::unique_ptr<TerminalChild>> TerminalChild::start(const std::vector<st
         return fail(mapped.error());
 
     std::vector<std::string> words;
+    words.reserve(command.size());
     for (const std::string& word : command)
         words.push_back(replaced(replaced(word, "{registers}", registers), "{link}", link));
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words)
         arguments.push_back(word.data());
     arguments.push_back(nullptr);

@@ -23,18 +23,14 @@ class TemporaryFolder
 {
   public:
     [[nodiscard]] static Result<TemporaryFolder> make();
-    TemporaryFolder(TemporaryFolder&& other) noexcept
-        : path_(std::exchange(other.path_, {}))
-    {}
+    TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
     TemporaryFolder& operator=(TemporaryFolder&&) = delete;
     ~TemporaryFolder();
 
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
   private:
-    explicit TemporaryFolder(std::filesystem::path path)
-        : path_(std::move(path))
-    {}
+    explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
     std::filesystem::path path_;
 };
 

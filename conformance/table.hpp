@@ -24,8 +24,7 @@ namespace raymarch::conformance
 {
 
 /// What is known of the parameter words after a row.
-enum class WordsCheck : std::uint8_t
-{
+enum class WordsCheck : std::uint8_t {
     Unchecked,
     Same,  ///< as before the row
     Exact, ///< `Row::words`

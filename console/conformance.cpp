@@ -162,10 +162,8 @@ class Runner
 int run_conformance(const Options& options)
 {
     auto connection = Connection::open(options.endpoint);
-    if (!connection) {
-        report(connection.error());
-        return EX_UNAVAILABLE;
-    }
+    if (!connection)
+        return report(connection.error());
     Runner runner(*connection, options.verbose);
     for (const ConformanceTable& table : conformance_tables()) {
         if (const auto result = runner.run(table); !result) {

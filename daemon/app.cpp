@@ -80,7 +80,7 @@ Result<void> App::run()
 
     const auto result = loop_.run();
     sd_notify(0, "STOPPING=1");
-    if (persist_waits_ && store_)
+    if (store_ && (persist_waits_ || store_->behind()))
         static_cast<void>(store_->write_now(persisted_)); // a failure has been logged
     return result;
 }
@@ -130,8 +130,11 @@ bool App::save(const protocol::State& state)
 {
     if (!store_)
         return false;
-    persisted_ = {.last = state, .saved = state};
-    return store_->write_now(persisted_).has_value();
+    const PersistedState both = {.last = state, .saved = state};
+    if (!store_->write_now(both))
+        return false;
+    persisted_ = both;
+    return true;
 }
 
 std::optional<protocol::State> App::load()

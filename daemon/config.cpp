@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/config.hpp"
 
+#include "drivers/serial_port.hpp"
+#include "drivers/unix_socket.hpp"
 #include "protocol/accelerators.hpp"
 #include "protocol/picture_size.hpp"
 
@@ -8,6 +10,8 @@
 
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
+
+#include <unistd.h>
 
 #include <array>
 #include <charconv>
@@ -75,6 +79,8 @@ Result<void> set_serial(Config& config, std::string_view text)
                                                        : number(text.substr(at + 1));
         if (!baud)
             return fail(refuse(text, serial_values));
+        if (!drivers::is_baud_rate(*baud))
+            return fail(refuse(std::to_string(*baud), "a baud rate: " + drivers::baud_rates()));
         config.serial = SerialDevice{std::string(text.substr(0, at)), *baud};
     } else {
         return fail(refuse(text, serial_values));
@@ -103,6 +109,9 @@ Result<void> set_state(Config& config, std::string_view text)
 
 Result<void> set_control(Config& config, std::string_view text)
 {
+    if (text.size() > drivers::max_socket_path)
+        return fail(
+            refuse(text, fmt::format("a path of at most {} bytes", drivers::max_socket_path)));
     config.control = path_or_none(text);
     return {};
 }
@@ -133,7 +142,6 @@ Result<void> set_accelerator(Config& config, std::string_view text)
             names += (names.empty() ? "" : ", ") + std::string(accelerator->name);
         return fail(refuse(text, "an accelerator: " + names));
     }
-    config.emulated.size = config.accelerator->size;
     return {};
 }
 
@@ -176,11 +184,13 @@ Result<void> set_emulated_form(Config& config, std::string_view text)
 
 Result<void> set_emulated_size(Config& config, std::string_view text)
 {
-    const protocol::PictureSize largest = config.accelerator->max_size;
-    const auto size = protocol::parse_size(text, largest);
+    if (text == "auto") {
+        config.emulated.size = {};
+        return {};
+    }
+    const auto size = protocol::parse_size(text, {UINT16_MAX, UINT16_MAX});
     if (!size)
-        return fail(
-            refuse(text, fmt::format("a size from 1x1 to {}x{}", largest.width, largest.height)));
+        return fail(refuse(text, "auto or a size such as 640x480"));
     config.emulated.size = *size;
     return {};
 }
@@ -210,7 +220,7 @@ constexpr std::array table = {
     Setting{"replies",          "all|errors|none",            "all",                      "which replies are sent", set_replies},
     Setting{"require_checksum", "true|false",                 "false",                    "whether every line must carry *HH", set_require_checksum},
     Setting{"emulated_form",    "extended|bare",              "extended",                 "bare: the emulated block has the parameter words only, as the source's", set_emulated_form},
-    Setting{"emulated_size",    "WxH",                        "640x480",                  "size of the emulated accelerator's picture", set_emulated_size},
+    Setting{"emulated_size",    "auto|WxH",                   "auto",                     "size of the emulated accelerator's picture; auto is what its source draws", set_emulated_size},
     Setting{"emulated_threads", "N",                          "0",                        "threads that draw; 0 is one for each processor", set_emulated_threads},
 };
 // clang-format on
@@ -255,8 +265,22 @@ Result<void> set(Config& config, std::string_view name, std::string_view text)
     return fail(plain_error(ErrorKind::Config, fmt::format("there is no setting '{}'", name)));
 }
 
+Result<void> validate(const Config& config)
+{
+    const protocol::PictureSize size = config.emulated.size;
+    const protocol::PictureSize largest = config.accelerator->max_size;
+    if (size.width > largest.width || size.height > largest.height)
+        return fail(
+            plain_error(ErrorKind::Config,
+                        fmt::format("emulated_size: {} draws at most {}x{}",
+                                    config.accelerator->name, largest.width, largest.height)));
+    return {};
+}
+
 Result<void> read_config_file(Config& config, const std::string& path)
 {
+    if (::access(path.c_str(), R_OK) != 0) // the parser would only say that it could not be opened
+        return fail(errno_error(ErrorKind::Config, "read", path));
     const toml::parse_result parsed = toml::parse_file(path);
     if (!parsed)
         return fail(plain_error(ErrorKind::Config,

@@ -87,6 +87,9 @@ struct Setting
 /// Applies one setting. Errors: Config, naming what is allowed.
 [[nodiscard]] Result<void> set(Config& config, std::string_view name, std::string_view text);
 
+/// What one setting cannot see of the others. Errors: Config.
+[[nodiscard]] Result<void> validate(const Config& config);
+
 /// Applies a TOML file. Errors: Config, with file and line; an unknown key is one.
 [[nodiscard]] Result<void> read_config_file(Config& config, const std::string& path);
 

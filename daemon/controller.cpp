@@ -91,8 +91,11 @@ Controller::Outcome Controller::dispatch(const Request& request, SessionSettings
          !(request.command->id == CommandId::Preset && request.text.empty())); // only lists them
     if (locked_ && writes)
         return Fault{.code = ErrorCode::Locked};
-    if (request.kind == Request::Kind::Command)
+    if (request.kind == Request::Kind::Command) {
+        if (auto fault = check_arity(request))
+            return fault;
         return run(request, session);
+    }
 
     State state;
     if (auto fault = read_frame(accelerator_, request.text, state))

@@ -31,8 +31,10 @@ Endpoint::Endpoint(EventLoop& loop, std::unique_ptr<drivers::BytePort> port, Con
 void Endpoint::on_ready(std::uint32_t /*events*/)
 {
     send(); // room first: what was said earlier goes out before new replies need the queue
-    if (!receive())
-        on_gone_(*this); // `this` may be gone from here on
+    if (receive())
+        return;
+    const auto on_gone = std::move(on_gone_); // it may destroy this endpoint, and itself with it
+    on_gone(*this);
 }
 
 bool Endpoint::receive()

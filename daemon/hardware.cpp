@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr std::size_t window_bytes = protocol::register_page_bytes;
+constexpr const char* default_uio_name = "raymarch";
 /// Without an interrupt line a pending commit is looked at this often; a frame takes tens of ms.
 constexpr std::chrono::milliseconds deferred_poll{2};
 
@@ -37,7 +38,10 @@ emulation::FrameSink preview_to(const std::string& path)
 
 BusResult open_emulated(const Config& config)
 {
-    return emulation::EmulatedBlock::open(engine::model_of(*config.accelerator), config.emulated,
+    emulation::EmulatedOptions options = config.emulated;
+    if (options.size == protocol::PictureSize{})
+        options.size = config.accelerator->size;
+    return emulation::EmulatedBlock::open(engine::model_of(*config.accelerator), options,
                                           preview_to(config.preview));
 }
 
@@ -55,9 +59,10 @@ struct Opener
     const Config& config;
     BusResult operator()(const AutoRegisters&) const
     {
-        if (drivers::find_uio("raymarch"))
-            return open_named("raymarch");
-        log::notice("no UIO device is named raymarch: the accelerator is emulated");
+        const auto device = drivers::find_uio(default_uio_name);
+        if (device || device.error().kind != ErrorKind::Unavailable) // two of them are a mistake
+            return open_named(default_uio_name);
+        log::notice("{}: the accelerator is emulated", device.error().message);
         return open_emulated(config);
     }
     BusResult operator()(const UioDevice& where) const
@@ -79,10 +84,7 @@ Hardware::Hardware(const Config& config, EventLoop& loop, std::function<void()> 
     , loop_(loop)
     , on_ready_(std::move(on_ready))
     , retry_open_(loop.add_timer([this] { try_to_open(); }))
-    , retry_deferred_(loop.add_timer([this] {
-        if (path_)
-            settle(path_->retry());
-    }))
+    , retry_deferred_(loop.add_timer([this] { retry_deferred(); }))
 {}
 
 void Hardware::start()
@@ -105,6 +107,8 @@ Result<void> Hardware::open()
         return fail(path.error());
     bus_ = std::move(*bus);
     path_ = *path;
+    frames_before_ = path_->frames();
+    status_before_ = std::chrono::steady_clock::now();
     if (bus_->interrupt_fd() >= 0)
         interrupt_ =
             loop_.add_io(bus_->interrupt_fd(), EPOLLIN, [this](std::uint32_t) { on_interrupt(); });
@@ -181,7 +185,13 @@ void Hardware::on_interrupt()
         return;
     }
     path_->acknowledge_frame();
-    settle(path_->retry());
+    retry_deferred();
+}
+
+void Hardware::retry_deferred()
+{
+    if (path_ && path_->deferred())
+        settle(path_->retry());
 }
 
 void Hardware::write_status(protocol::ReplyWriter& reply)
@@ -201,7 +211,7 @@ void Hardware::write_status(protocol::ReplyWriter& reply)
     const auto elapsed = std::chrono::duration_cast<milliseconds>(now - status_before_).count();
     const std::uint32_t frames = path_->frames();
     reply << " frames=" << std::uint64_t{frames};
-    if (elapsed > 0) {
+    if (elapsed > 0 && frames >= frames_before_) { // fewer: the accelerator was reset
         const std::uint64_t tenths =
             std::uint64_t{frames - frames_before_} * 10'000 / static_cast<std::uint64_t>(elapsed);
         reply << " fps=" << tenths / 10 << '.' << tenths % 10;

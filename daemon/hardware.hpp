@@ -41,6 +41,7 @@ class Hardware final : public Board
     void try_to_open();
     void close();
     void on_interrupt();
+    void retry_deferred();
     void settle(Applied applied);
     void wait_for_frame_start();
 

@@ -63,6 +63,8 @@ Result<Config> load_config(const Options& options)
     for (const auto& [name, text] : options.settings)
         if (auto result = set(config, name, text); !result)
             return fail(plain_error(ErrorKind::Usage, "--" + result.error().message));
+    if (auto result = validate(config); !result)
+        return fail(result.error());
     return config;
 }
 

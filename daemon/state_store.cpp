@@ -4,6 +4,7 @@
 #include "base/log.hpp"
 #include "drivers/atomic_file.hpp"
 
+#include <chrono>
 #include <utility>
 
 namespace raymarch::daemon
@@ -12,6 +13,7 @@ namespace
 {
 
 constexpr std::size_t largest_state_file = 65'536;
+constexpr std::chrono::seconds pause_after_failure{10};
 
 } // namespace
 
@@ -37,9 +39,30 @@ Result<PersistedState> StateStore::load() const
     return state;
 }
 
+/// The file's lock comes first: what write_now() wrote in between must not be overwritten by what
+/// waited before it. What could not be written waits on, unless something newer does.
+bool StateStore::write_waiting()
+{
+    const std::scoped_lock file_lock(file_mutex_);
+    std::unique_lock lock(mutex_);
+    const std::optional<PersistedState> state = std::exchange(waiting_, std::nullopt);
+    lock.unlock();
+    if (!state || write(*state))
+        return true;
+    lock.lock();
+    if (!waiting_)
+        waiting_ = state;
+    return false;
+}
+
+bool StateStore::behind()
+{
+    const std::scoped_lock lock(mutex_);
+    return waiting_.has_value();
+}
+
 Result<void> StateStore::write(const PersistedState& state)
 {
-    const std::scoped_lock lock(file_mutex_);
     const std::string text = format_state_file(accelerator_, state);
     auto result =
         drivers::replace_file(path_, drivers::as_bytes(text), drivers::Durability::Durable);
@@ -58,6 +81,7 @@ void StateStore::write_later(const PersistedState& state)
 
 Result<void> StateStore::write_now(const PersistedState& state)
 {
+    const std::scoped_lock file_lock(file_mutex_);
     {
         const std::scoped_lock lock(mutex_);
         waiting_.reset(); // older than this one
@@ -69,10 +93,11 @@ void StateStore::work(const std::stop_token& stop)
 {
     std::unique_lock lock(mutex_);
     while (wake_.wait(lock, stop, [this] { return waiting_.has_value(); })) {
-        const PersistedState state = *std::exchange(waiting_, std::nullopt);
         lock.unlock();
-        static_cast<void>(write(state)); // it has logged what went wrong
+        const bool written = write_waiting();
         lock.lock();
+        if (!written) // the disk may be full, or away: not over and over
+            wake_.wait_for(lock, stop, pause_after_failure, [] { return false; });
         if (stop.stop_requested())
             return;
     }

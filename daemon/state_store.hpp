@@ -31,15 +31,21 @@ class StateStore
     /// What the file holds. Errors: Unavailable (there is none), InputOutput, BadData.
     [[nodiscard]] Result<PersistedState> load() const;
 
-    /// Hands over; the newest wins. An error is logged once, until a write succeeds again.
+    /// Hands over; the newest wins. A write that fails is logged once and tried again until it
+    /// succeeds or something newer comes.
     void write_later(const PersistedState& state);
     /// Writes, and waits for it. Errors: InputOutput.
     [[nodiscard]] Result<void> write_now(const PersistedState& state);
 
+    /// Whether something that was handed over is not in the file yet.
+    [[nodiscard]] bool behind();
+
     [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
   private:
+    /// With file_mutex_ held.
     [[nodiscard]] Result<void> write(const PersistedState& state);
+    [[nodiscard]] bool write_waiting();
     void work(const std::stop_token& stop);
 
     const std::string path_;

@@ -179,7 +179,7 @@ Result<std::string> find_uio(const std::string& name, const std::string& sysfs_r
     if (found.empty())
         return fail(plain_error(ErrorKind::Unavailable, "no UIO device is named " + name + " (" +
                                                             devices.string() + "/*/name)"));
-    return fail(plain_error(ErrorKind::Unavailable,
+    return fail(plain_error(ErrorKind::Config,
                             std::to_string(found.size()) + " UIO devices are named " + name));
 }
 

@@ -61,8 +61,8 @@ class MappedWindow final : public RegisterBus
     bool has_interrupt_;
 };
 
-/// `/dev/uioN` of the device whose sysfs name is `name`. Errors: Unavailable when there is none, or
-/// more than one.
+/// `/dev/uioN` of the device whose sysfs name is `name`. Errors: Unavailable when there is none,
+/// Config when there are several.
 [[nodiscard]] Result<std::string> find_uio(const std::string& name,
                                            const std::string& sysfs_root = "/sys");
 

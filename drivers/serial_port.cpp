@@ -30,20 +30,12 @@ constexpr std::array speeds = {
     Speed{3000000, B3000000}, Speed{3500000, B3500000}, Speed{4000000, B4000000},
 };
 
-std::optional<speed_t> speed_of(unsigned baud)
+std::optional<speed_t> speed_of(unsigned baud) noexcept
 {
     for (const Speed& speed : speeds)
         if (speed.baud == baud)
             return speed.code;
     return std::nullopt;
-}
-
-std::string all_speeds()
-{
-    std::string text;
-    for (const Speed& speed : speeds)
-        text += (text.empty() ? "" : " ") + std::to_string(speed.baud);
-    return text;
 }
 
 /// tcsetattr succeeds when any of the settings was taken, so what it did is read back.
@@ -55,6 +47,19 @@ bool took(int fd, const termios& wanted) noexcept
 }
 
 } // namespace
+
+bool is_baud_rate(unsigned baud) noexcept
+{
+    return speed_of(baud).has_value();
+}
+
+std::string baud_rates()
+{
+    std::string text;
+    for (const Speed& speed : speeds)
+        text += (text.empty() ? "" : " ") + std::to_string(speed.baud);
+    return text;
+}
 
 void make_raw(termios& settings) noexcept
 {
@@ -96,7 +101,7 @@ Result<std::unique_ptr<SerialPort>> SerialPort::open(const std::string& path, un
     const auto speed = speed_of(baud);
     if (!speed)
         return fail(plain_error(ErrorKind::Usage, path + ": no baud rate " + std::to_string(baud) +
-                                                      "; there are " + all_speeds()));
+                                                      "; there are " + baud_rates()));
     UniqueFd fd(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
     if (!fd)
         return fail(errno_error(ErrorKind::Unavailable, "open", path));

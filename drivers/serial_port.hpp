@@ -36,6 +36,10 @@ class SerialPort final : public BytePort
     termios before_;
 };
 
+[[nodiscard]] bool is_baud_rate(unsigned baud) noexcept;
+/// All of them, for a message.
+[[nodiscard]] std::string baud_rates();
+
 /// Bytes as they are: no echo, no translation, no signals, no flow control; 8 bits, no parity, one
 /// stop bit, the receiver on and the modem lines ignored.
 void make_raw(termios& settings) noexcept;

@@ -5,7 +5,6 @@
 
 #include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,10 +19,9 @@ Result<sockaddr_un> address_of(const std::string& path)
 {
     sockaddr_un address = {};
     address.sun_family = AF_UNIX;
-    if (path.size() >= sizeof address.sun_path)
+    if (path.size() > max_socket_path)
         return fail(plain_error(ErrorKind::Usage, path + ": a socket's path has at most " +
-                                                      std::to_string(sizeof address.sun_path - 1) +
-                                                      " bytes"));
+                                                      std::to_string(max_socket_path) + " bytes"));
     std::copy(path.begin(), path.end(), address.sun_path);
     return address;
 }

@@ -7,12 +7,17 @@
 #include "base/unique_fd.hpp"
 #include "drivers/ports.hpp"
 
+#include <sys/un.h>
+
 #include <memory>
 #include <optional>
 #include <string>
 
 namespace raymarch::drivers
 {
+
+/// The longest path that a socket's address holds.
+inline constexpr std::size_t max_socket_path = sizeof(sockaddr_un::sun_path) - 1;
 
 /// One connection.
 class SocketPort final : public BytePort

@@ -13,13 +13,49 @@ namespace
 /// Keys are letters; where a table has rows ("S2.X"), digits and dots may follow the first letter.
 bool is_key(const Accelerator& accelerator, std::string_view key) noexcept
 {
+    if (key.empty() || !is_letter(key[0]))
+        return false;
+    if (std::ranges::all_of(key, is_letter))
+        return true;
     const bool has_rows =
         std::ranges::any_of(accelerator.parameters, [](const Parameter& parameter) {
             return parameter.key.find('.') != std::string_view::npos;
         });
-    return !key.empty() && is_letter(key[0]) && std::ranges::all_of(key, [&](char c) {
-        return is_letter(c) || (has_rows && (detail::is_digit(c) || c == '.'));
-    });
+    return has_rows && std::ranges::all_of(key, [](char c) {
+               return is_letter(c) || detail::is_digit(c) || c == '.';
+           });
+}
+
+/// Whether `text` begins with `key=`, as the table writes it.
+bool begins_with_key(std::string_view text, std::string_view key) noexcept
+{
+    return text.size() > key.size() && text[key.size()] == '=' && text.starts_with(key);
+}
+
+/// A pair as hosts mostly write it: the key in upper case, no blanks, a plain number that is in
+/// range. Takes it off the front of `rest` up to its comma, or to the end; false, and nothing
+/// taken, for any other pair, which is then read by the rules, fault by fault.
+bool take_plain_pair(std::span<const Parameter> table, Text& rest, State& state,
+                     ParameterSet& given, std::size_t& guess) noexcept
+{
+    std::size_t index = guess;
+    if (index >= table.size() || !begins_with_key(rest.bytes, table[index].key))
+        for (index = 0; index < table.size(); ++index)
+            if (begins_with_key(rest.bytes, table[index].key))
+                break;
+    if (index == table.size() || given[index] || table[index].is_choice())
+        return false;
+    const std::size_t value_at = table[index].key.size() + 1;
+    std::int64_t code = 0;
+    const std::size_t length = quantize_plain(table[index], rest.bytes.substr(value_at), code);
+    const std::size_t end = value_at + length;
+    if (length == 0 || (end < rest.bytes.size() && rest.bytes[end] != ','))
+        return false;
+    state.codes[index] = code;
+    given.set(index);
+    guess = index + 1;
+    rest = rest.from(end);
+    return true;
 }
 
 tl::expected<std::int64_t, ErrorCode> read_value(const Parameter& parameter,
@@ -40,6 +76,12 @@ std::optional<Fault> read_assignments(const Accelerator& accelerator, Text text,
     Text rest = text.trimmed();
     std::size_t guess = 0;
     for (bool more = true; more;) {
+        if (take_plain_pair(accelerator.parameters, rest, state, given, guess)) {
+            if (rest.empty())
+                return std::nullopt;
+            rest = rest.from(1); // the comma
+            continue;
+        }
         const Piece pair = take_until(rest, ',');
         more = pair.found;
         Text value = pair.text;

@@ -4,6 +4,17 @@
 namespace raymarch::protocol
 {
 
+namespace
+{
+
+/// Other bytes are kept, for the reply to name, but a terminal shows nothing for them.
+bool is_visible(char c) noexcept
+{
+    return c >= 0x20 && c <= 0x7E;
+}
+
+} // namespace
+
 Typed EchoEditor::type(char c) noexcept
 {
     constexpr char backspace = '\b';
@@ -24,14 +35,13 @@ Typed EchoEditor::type(char c) noexcept
         if (size_ == 0)
             return {};
         --size_;
-        return {.echo = "\b \b"};
+        return {.echo = is_visible(line_[size_]) ? "\b \b" : ""};
     }
     if (size_ == line_.size()) // dropped: the line is too long already
         return {};
     line_[size_++] = c;
     echo_ = c;
-    const bool visible = c >= 0x20 && c <= 0x7E;
-    return {.echo = visible ? std::string_view(&echo_, 1) : std::string_view()};
+    return {.echo = is_visible(c) ? std::string_view(&echo_, 1) : std::string_view()};
 }
 
 } // namespace raymarch::protocol

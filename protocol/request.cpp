@@ -4,6 +4,8 @@
 #include "protocol/checksum.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 
 namespace raymarch::protocol
 {
@@ -15,6 +17,31 @@ constexpr std::size_t mark_length = 3; // *HH
 bool is_allowed(char c) noexcept
 {
     return (c >= 0x20 && c <= 0x7E) || c == '\t';
+}
+
+/// Eight bytes at a time: whether some byte is below 0x20, or above 0x7E. Never misses one; a TAB
+/// counts too, so that a line with one is looked at byte by byte.
+bool may_hold_bad_byte(std::string_view bytes) noexcept
+{
+    constexpr std::uint64_t each = 0x0101'0101'0101'0101;
+    std::uint64_t found = 0;
+    std::uint64_t block = 0;
+    for (; bytes.size() >= sizeof block; bytes.remove_prefix(sizeof block)) {
+        std::memcpy(&block, bytes.data(), sizeof block);
+        // In each byte the top bit: set itself, set by adding 1 to 0x7F, or by taking 0x20 from
+        // less.
+        found |= block | (block + each) | (block - 0x20 * each);
+    }
+    return (found & (0x80 * each)) != 0 || !std::ranges::all_of(bytes, is_allowed);
+}
+
+/// The first byte that no line may hold, or the line's size.
+std::size_t find_bad_byte(std::string_view bytes) noexcept
+{
+    if (!may_hold_bad_byte(bytes))
+        return bytes.size();
+    const auto* const bad = std::ranges::find_if_not(bytes, is_allowed);
+    return static_cast<std::size_t>(bad - bytes.begin());
 }
 
 std::string_view without_trailing_blanks(std::string_view bytes) noexcept
@@ -67,10 +94,9 @@ Request read_request(const Line& line, bool require_checksum) noexcept
         return faulty(request, {.code = ErrorCode::TooLong});
     if (request.text.trimmed().empty())
         return request;
-    const auto bad = std::ranges::find_if_not(line.bytes, is_allowed);
-    if (bad != line.bytes.end())
-        return faulty(request, {.code = ErrorCode::BadByte,
-                                .column = static_cast<std::size_t>(bad - line.bytes.begin()) + 1});
+    const std::size_t bad = find_bad_byte(line.bytes);
+    if (bad < line.bytes.size())
+        return faulty(request, {.code = ErrorCode::BadByte, .column = bad + 1});
     if (auto fault = check_mark(request, require_checksum))
         return faulty(request, *fault);
 
@@ -92,12 +118,17 @@ Request read_request(const Line& line, bool require_checksum) noexcept
             {.code = ErrorCode::UnknownCommand, .column = request.text.column, .word = word});
     request.command_column = request.text.column;
     request.text = behind;
-    if (request.command->words == Arity::Required && behind.empty())
-        return faulty(request, {.code = ErrorCode::Argument, .column = behind.column});
-    if (request.command->words == Arity::None && !behind.empty())
-        return faulty(request, {.code = ErrorCode::Argument, .column = behind.column});
     request.kind = Request::Kind::Command;
     return request;
+}
+
+std::optional<Fault> check_arity(const Request& request) noexcept
+{
+    const Arity arity = request.command->words;
+    const bool wrong = request.text.empty() ? arity == Arity::Required : arity == Arity::None;
+    if (!wrong)
+        return std::nullopt;
+    return Fault{.code = ErrorCode::Argument, .column = request.text.column};
 }
 
 } // namespace raymarch::protocol

@@ -35,4 +35,7 @@ struct Request
 /// Views in the result point into `line`.
 [[nodiscard]] Request read_request(const Line& line, bool require_checksum) noexcept;
 
+/// Argument when a command that needs words has none, or one that takes none has some.
+[[nodiscard]] std::optional<Fault> check_arity(const Request& request) noexcept;
+
 } // namespace raymarch::protocol

@@ -30,7 +30,7 @@ constexpr std::array rows = {
     TextRow{marcher::FX, 1, "0.00001", "2^-17 = 0.0000076..."},
     TextRow{marcher::FX, -1, "-0.00001", "the same below zero; never -0"},
     TextRow{marcher::FX, 65536, "0.5", "exact"},
-    TextRow{marcher::FX, 2, "0.00002", "0.0000153 to five places; 0.0000 would be 0"},
+    TextRow{marcher::FX, 2, "0.000015", "0.00002 would be 2.6 units"},
     TextRow{marcher::LX, 24, "3", "whole"},
     TextRow{marcher::LX, 1, "0.1", "0.125: 0.1 is 0.8 units"},
     TextRow{marcher::LX, 2, "0.3", "0.25: halfway, so away from zero"},
@@ -113,11 +113,12 @@ TEST(Dequantizer, NoFewerPlacesWouldDo)
                              test::pick<std::int64_t>(random, 0, 167'772'160));
 }
 
-TEST(Dequantizer, CodesThatNoTextGivesArePrintedExactly)
+TEST(Dequantizer, ACodeBeyondTheRangeIsShownAsIfTheRangeWereTheFormat)
 {
     // A register may hold a zoom above 10; it is shown, though it cannot be sent back.
     const Parameter& zoom = marcher::parameters[marcher::ZM];
-    EXPECT_EQ(to_text(zoom, 0xFFFF'FFFF).view(), "255.999999940395355225");
+    EXPECT_EQ(to_text(zoom, 0xFFFF'FFFF).view(), "255.99999994"); // 256 - 2^-24
+    EXPECT_EQ(to_text(zoom, std::int64_t{11} << 24).view(), "11");
 }
 
 } // namespace

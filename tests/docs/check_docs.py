@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Holds the documents to the programs: options, settings, links and the verbs of ./dev.
+
+Usage: check_docs.py --build DIR, the folder of raymarchd and raymarchctl.
+"""
+
+import argparse
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def run(*command: str | Path) -> str:
+    """What the command prints."""
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def option_names(help_text: str) -> set[str]:
+    """The long options that a --help prints, one a line."""
+    return set(re.findall(r"^ +(?:-\w,)?(--[a-z][a-z-]*)", help_text, re.MULTILINE))
+
+
+def manual_text(path: Path) -> str:
+    """The page's source with dashes as dashes and without font changes."""
+    text = re.sub(r"\\f[A-Z]|\\&", "", path.read_text())
+    return text.replace("\\-", "-")
+
+
+def manual_options(text: str) -> set[str]:
+    return set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", text))
+
+
+def compare(page: str, documented: set[str], printed: set[str]) -> list[str]:
+    return [f"{page}: {name} is not in the page" for name in sorted(printed - documented)] + [
+        f"{page}: no program has {name}" for name in sorted(documented - printed)
+    ]
+
+
+def check_service(build: Path) -> list[str]:
+    """Options of raymarchd, and its settings with the defaults that the example file shows."""
+    page = ROOT / "docs/man/raymarchd.8"
+    text = manual_text(page)
+    found = compare(page.name, manual_options(text), option_names(run(build / "raymarchd", "--help")))
+    example = (ROOT / "systemd/raymarchd.toml").read_text()
+    for name, default in re.findall(r'^#(\w+) = "?([^"\n]+)"?$', example, re.MULTILINE):
+        head = rf'^\.BR {name} ", " --{name.replace("_", "-")} .*?'
+        entry = re.search(head + r'(?=^\.BR \w+ ", " --|^\.SH)', text, re.MULTILINE | re.DOTALL)
+        if entry is None:
+            found.append(f"{page.name}: the setting {name} has no entry")
+        elif not re.search(rf"^Default:\n\.\w+ {re.escape(default)} ?\.$", entry[0], re.MULTILINE):
+            found.append(f"{page.name}: the default of {name} is {default}")
+    return found
+
+
+def check_tool(build: Path) -> list[str]:
+    """Options of raymarchctl and of its subcommands, each in the subcommand's own part of the page."""
+    page = ROOT / "docs/man/raymarchctl.1"
+    text = manual_text(page)
+    program = build / "raymarchctl"
+    general = run(program, "--help")
+    subcommands = re.findall(r"^  ([a-z]+) ", general.split("Subcommands:")[1], re.MULTILINE)
+    parts = dict(re.findall(r"^\.SS (\w+)\n(.*?)(?=^\.S[SH]|\Z)", text, re.MULTILINE | re.DOTALL))
+    common = manual_options(text.split(".SH SUBCOMMANDS")[0].split(".SH OPTIONS")[1])
+
+    found: list[str] = []
+    printed = option_names(general)
+    for name in subcommands:
+        options = option_names(run(program, name, "--help"))
+        printed |= options
+        if name not in parts:
+            found.append(f"{page.name}: the subcommand {name} has no part")
+        else:
+            found += compare(f"{page.name} ({name})", manual_options(parts[name]), options - common)
+    return found + compare(page.name, manual_options(text), printed)
+
+
+def anchor(heading: str) -> str:
+    """The anchor that a heading gets."""
+    return re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
+
+
+def check_links() -> list[str]:
+    """Relative links of the pages, with their anchors."""
+    found: list[str] = []
+    for page in [ROOT / "README.md", *sorted(ROOT.glob("docs/**/*.md")), *ROOT.glob("overlay/*.md")]:
+        for target in re.findall(r"\]\(([^)\s]+)\)", page.read_text()):
+            if re.match(r"[a-z]+:", target):
+                continue
+            path, _, part = target.partition("#")
+            goal = (page.parent / path) if path else page
+            where = f"{page.relative_to(ROOT)}: {target}"
+            if not goal.exists():
+                found.append(f"{where} does not exist")
+            elif part and part not in map(anchor, re.findall(r"^#+ (.*)$", goal.read_text(), re.M)):
+                found.append(f"{where} has no such heading")
+    return found
+
+
+def check_verbs() -> list[str]:
+    """Each verb that ./dev help prints stands somewhere in the pages."""
+    pages = [ROOT / "README.md", *ROOT.glob("docs/*.md")]
+    text = "\n".join(page.read_text() for page in pages)
+    verbs = re.findall(r"^\./dev ([a-z]+)(?: \| ([a-z]+))?", run(ROOT / "dev", "help"), re.MULTILINE)
+    return [f"./dev {verb} is in no page" for pair in verbs for verb in pair
+            if verb and not re.search(rf"\./dev {verb}\b", text)]
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--build", type=Path, required=True, help="folder of the programs")
+    build = parser.parse_args().build.resolve()
+    found = check_service(build) + check_tool(build) + check_links() + check_verbs()
+    print("\n".join(found) if found else "documents: in step with the programs")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

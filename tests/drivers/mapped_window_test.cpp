@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "drivers/mapped_window.hpp"
+
+#include "drivers/bus_fault.hpp"
+#include "tests/fakes/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace raymarch::drivers
+{
+namespace
+{
+
+constexpr std::size_t page = 4096;
+
+/// The word at an offset of a file, in the machine's byte order.
+std::uint32_t word_in(const std::string& path, std::size_t offset)
+{
+    const std::string bytes = test::read_text(path);
+    std::uint32_t word = 0;
+    EXPECT_GE(bytes.size(), offset + sizeof word);
+    std::memcpy(&word, bytes.data() + offset, sizeof word);
+    return word;
+}
+
+TEST(RegisterFile, WordsStandAtTheirOffsets)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder / "registers";
+    const auto window = MappedWindow::open_file(path, page);
+    ASSERT_TRUE(window) << window.error().message;
+    (*window)->write({0x00}, 0x0102'0304);
+    (*window)->write({0x1C}, 0xFFFF'0000);
+    (*window)->write({0xFFC}, 0xCAFE'F00D);
+    EXPECT_EQ((*window)->read({0x00}), 0x0102'0304U);
+    EXPECT_EQ((*window)->read({0x04}), 0U);
+    EXPECT_EQ(word_in(path, 0x00), 0x0102'0304U);
+    EXPECT_EQ(word_in(path, 0x1C), 0xFFFF'0000U);
+    EXPECT_EQ(word_in(path, 0xFFC), 0xCAFE'F00DU);
+    EXPECT_EQ((*window)->interrupt_fd(), -1);
+    EXPECT_FALSE((*window)->lost());
+}
+
+TEST(RegisterFile, WhatOthersWriteIsRead)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder / "registers";
+    const auto first = MappedWindow::open_file(path, page);
+    const auto second = MappedWindow::open_file(path, page);
+    ASSERT_TRUE(first && second);
+    (*first)->write({0x20}, 7);
+    EXPECT_EQ((*second)->read({0x20}), 7U);
+}
+
+TEST(RegisterFile, ASmallFileGrowsAndKeepsWhatItHas)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder / "registers";
+    test::write_text(path, std::string(4, '\xFF'));
+    const auto window = MappedWindow::open_file(path, page);
+    ASSERT_TRUE(window);
+    EXPECT_EQ(std::filesystem::file_size(path), page);
+    EXPECT_EQ((*window)->read({0}), 0xFFFF'FFFFU);
+    EXPECT_EQ((*window)->read({4}), 0U);
+}
+
+TEST(RegisterFile, ALargeFileStaysLarge)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder / "registers";
+    test::write_text(path, std::string(3 * page, 'x'));
+    ASSERT_TRUE(MappedWindow::open_file(path, page));
+    EXPECT_EQ(std::filesystem::file_size(path), 3 * page);
+}
+
+TEST(RegisterFile, AFileThatIsCutWhileMappedIsLost)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder / "registers";
+    const auto window = MappedWindow::open_file(path, page);
+    ASSERT_TRUE(window);
+    (*window)->write({8}, 5);
+    std::filesystem::resize_file(path, 0);
+    EXPECT_FALSE((*window)->lost()); // nobody has looked yet
+    EXPECT_EQ((*window)->read({8}), 0U);
+    EXPECT_TRUE((*window)->lost());
+    (*window)->write({8}, 6); // goes nowhere, and does not end the process
+}
+
+TEST(RegisterFile, AWriteFindsTheLossToo)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder / "registers";
+    const auto window = MappedWindow::open_file(path, page);
+    ASSERT_TRUE(window);
+    std::filesystem::resize_file(path, 0);
+    (*window)->write({8}, 6);
+    EXPECT_TRUE((*window)->lost());
+}
+
+TEST(RegisterFile, OnlyTheWindowThatLostItsFileIsLost)
+{
+    const test::TemporaryFolder folder;
+    const auto cut = MappedWindow::open_file(folder / "cut", page);
+    const auto whole = MappedWindow::open_file(folder / "whole", page);
+    ASSERT_TRUE(cut && whole);
+    std::filesystem::resize_file(folder / "cut", 0);
+    EXPECT_EQ((*cut)->read({0}), 0U);
+    EXPECT_TRUE((*cut)->lost());
+    EXPECT_FALSE((*whole)->lost());
+}
+
+TEST(RegisterFile, OpenedAgainItIsNew)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder / "registers";
+    {
+        const auto window = MappedWindow::open_file(path, page);
+        ASSERT_TRUE(window);
+        std::filesystem::resize_file(path, 0);
+        EXPECT_EQ((*window)->read({0}), 0U);
+        EXPECT_TRUE((*window)->lost());
+    }
+    const auto again = MappedWindow::open_file(path, page);
+    ASSERT_TRUE(again);
+    EXPECT_FALSE((*again)->lost());
+}
+
+TEST(RegisterFile, OtherThingsThanFilesAreRefused)
+{
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    for (const std::string& path : {folder / "pipe", folder / "", folder / "missing/file"}) {
+        const auto window = MappedWindow::open_file(path, page);
+        ASSERT_FALSE(window) << path;
+        EXPECT_EQ(window.error().kind, ErrorKind::Unavailable);
+        EXPECT_NE(window.error().message.find(path), std::string::npos) << window.error().message;
+    }
+}
+
+TEST(RegisterFile, ThereAreAsManyWindowsAsCanBeWatched)
+{
+    const test::TemporaryFolder folder;
+    std::vector<std::unique_ptr<MappedWindow>> windows;
+    for (std::size_t i = 0; i < max_watched_mappings; ++i) {
+        auto window = MappedWindow::open_file(folder / "registers", page);
+        ASSERT_TRUE(window) << i;
+        windows.push_back(std::move(*window));
+    }
+    EXPECT_FALSE(MappedWindow::open_file(folder / "registers", page));
+    windows.pop_back();
+    EXPECT_TRUE(MappedWindow::open_file(folder / "registers", page));
+}
+
+/// A sysfs tree, and an ordinary file that plays the device.
+class Uio : public testing::Test
+{
+  protected:
+    void add(const std::string& device, const std::string& name, const std::string& size,
+             const std::string& offset = "0x0\n")
+    {
+        const std::string base = root + "/class/uio/" + device;
+        test::write_text(base + "/name", name + "\n");
+        test::write_text(base + "/maps/map0/size", size);
+        test::write_text(base + "/maps/map0/offset", offset);
+        test::write_text(folder / device, std::string(2 * page, '\0'));
+    }
+    [[nodiscard]] Result<std::unique_ptr<MappedWindow>> open(const std::string& device) const
+    {
+        return MappedWindow::open_uio(folder / device, page, root);
+    }
+    void expect_unavailable(const std::string& device, const std::string& part) const
+    {
+        const auto window = open(device);
+        ASSERT_FALSE(window);
+        EXPECT_EQ(window.error().kind, ErrorKind::Unavailable);
+        EXPECT_NE(window.error().message.find(part), std::string::npos) << window.error().message;
+    }
+
+    test::TemporaryFolder folder;
+    std::string root = folder / "sys";
+};
+
+TEST_F(Uio, IsFoundByItsName)
+{
+    add("uio0", "other", "0x1000\n");
+    add("uio3", "raymarch", "0x1000\n");
+    add("uio12", "raymarch2", "0x1000\n");
+    EXPECT_EQ(find_uio("raymarch", root).value(), "/dev/uio3");
+    EXPECT_EQ(find_uio("raymarch2", root).value(), "/dev/uio12");
+}
+
+TEST_F(Uio, NoDeviceOrTwoOfANameAreErrors)
+{
+    EXPECT_FALSE(find_uio("raymarch", root)); // no tree at all
+    add("uio0", "raymarch", "0x1000\n");
+    add("uio1", "raymarch", "0x1000\n");
+    const auto two = find_uio("raymarch", root);
+    ASSERT_FALSE(two);
+    EXPECT_EQ(two.error().kind, ErrorKind::Config); // waiting would not help
+    EXPECT_EQ(two.error().message, "2 UIO devices are named raymarch");
+    const auto none = find_uio("nothing", root);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().kind, ErrorKind::Unavailable);
+    EXPECT_NE(none.error().message.find("nothing"), std::string::npos);
+}
+
+TEST_F(Uio, OpensWhatSysfsDescribes)
+{
+    add("uio0", "raymarch", "0x1000\n");
+    const auto window = open("uio0");
+    ASSERT_TRUE(window) << window.error().message;
+    (*window)->write({0x20}, 0x1234'5678);
+    EXPECT_EQ(word_in(folder / "uio0", 0x20), 0x1234'5678U);
+    EXPECT_GE((*window)->interrupt_fd(), 0);
+    EXPECT_EQ(word_in(folder / "uio0", 0), 1U); // a 1 was written to the device: unmasked
+}
+
+TEST_F(Uio, RegistersBeginAtTheOffset)
+{
+    add("uio0", "raymarch", "0x1000\n", "0x40\n");
+    const auto window = open("uio0");
+    ASSERT_TRUE(window) << window.error().message;
+    (*window)->write({0x20}, 0x1234'5678);
+    EXPECT_EQ(word_in(folder / "uio0", 0x60), 0x1234'5678U);
+    (*window)->write({0xFFC}, 9);
+    EXPECT_EQ(word_in(folder / "uio0", 0x103C), 9U);
+}
+
+TEST_F(Uio, RefusalsNameTheDevice)
+{
+    expect_unavailable("uio9", "uio9");
+    add("uio0", "raymarch", "0x800\n");
+    expect_unavailable("uio0", "4096");
+    add("uio1", "raymarch", "many\n");
+    expect_unavailable("uio1", "map0/size");
+    add("uio2", "raymarch", "");
+    expect_unavailable("uio2", "uio2");
+}
+
+} // namespace
+} // namespace raymarch::drivers

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The seams of a controller, played: a board that takes words, a storage in memory, a status.
+#pragma once
+
+#include "daemon/controller.hpp"
+#include "daemon/session.hpp"
+#include "protocol/accelerators.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raymarch::test
+{
+
+struct FakeBoard final : daemon::Board
+{
+    [[nodiscard]] daemon::Applied apply(const protocol::Words& fresh) override
+    {
+        ++calls;
+        if (outcome == daemon::Applied::Written || outcome == daemon::Applied::Deferred)
+            words = fresh;
+        return outcome;
+    }
+    daemon::Applied outcome = daemon::Applied::Written;
+    protocol::Words words{}; ///< the newest that were taken
+    int calls = 0;
+};
+
+struct FakeStorage final : daemon::Storage
+{
+    void changed(const protocol::State& state) override { changes.push_back(state); }
+    [[nodiscard]] bool save(const protocol::State& state) override
+    {
+        if (works)
+            saved = state;
+        return works;
+    }
+    [[nodiscard]] std::optional<protocol::State> load() override
+    {
+        return works ? saved : std::nullopt;
+    }
+    bool works = true;
+    std::vector<protocol::State> changes;
+    std::optional<protocol::State> saved;
+};
+
+struct FakeStatus final : daemon::StatusSource
+{
+    void write_status(protocol::ReplyWriter& reply) override { reply << " serial=up"; }
+};
+
+/// A controller between fakes, with one session on it.
+struct Service
+{
+    explicit Service(daemon::Policy policy = {})
+        : controller(protocol::default_accelerator, policy, board, storage, status, 1)
+    {}
+
+    /// What the session answers to `bytes`, line endings included.
+    [[nodiscard]] std::string say(std::string_view bytes)
+    {
+        session.receive(bytes);
+        std::string replies(session.output().pending());
+        session.output().pop(replies.size());
+        return replies;
+    }
+
+    FakeBoard board;
+    FakeStorage storage;
+    FakeStatus status;
+    daemon::Controller controller;
+    daemon::Session session{controller};
+};
+
+} // namespace raymarch::test
