@@ -181,7 +181,7 @@ void App::open_control()
     }
     control_problem_.clear();
     control_back_off_.reset();
-    listener_ = std::move(*listener);
+    listener_.emplace(std::move(*listener));
     accept_ = loop_.add_io(listener_->fd(), EPOLLIN, [this](std::uint32_t) { accept_client(); });
 }
 

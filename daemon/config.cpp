@@ -96,15 +96,18 @@ Result<void> set_gpio(Config& /*config*/, std::string_view text)
     return {};
 }
 
-std::string path_or_none(std::string_view text)
+/// A path into `target`; `none` empties it.
+Result<void> set_path(std::string& target, std::string_view text)
 {
-    return text == "none" ? std::string() : std::string(text);
+    if (text.empty())
+        return fail(refuse(text, "a path or none"));
+    target = text == "none" ? std::string_view() : text;
+    return {};
 }
 
 Result<void> set_state(Config& config, std::string_view text)
 {
-    config.state = path_or_none(text);
-    return {};
+    return set_path(config.state, text);
 }
 
 Result<void> set_control(Config& config, std::string_view text)
@@ -112,16 +115,14 @@ Result<void> set_control(Config& config, std::string_view text)
     if (text.size() > drivers::max_socket_path)
         return fail(
             refuse(text, fmt::format("a path of at most {} bytes", drivers::max_socket_path)));
-    config.control = path_or_none(text);
-    return {};
+    return set_path(config.control, text);
 }
 
 Result<void> set_preview(Config& config, std::string_view text)
 {
     if (text != "none" && !text.ends_with(".png"))
         return fail(refuse(text, "FILE.png or none"));
-    config.preview = path_or_none(text);
-    return {};
+    return set_path(config.preview, text);
 }
 
 Result<void> set_log_level(Config& config, std::string_view text)

@@ -67,6 +67,8 @@ Result<PersistedState> parse_state_file(const protocol::Accelerator& accelerator
     while (!rest.empty()) {
         std::string_view line = take_line(rest);
         const std::string_view name = take_word(line);
+        if (name != "last" && name != "saved")
+            return bad("a line in it is neither last nor saved");
         if (take_word(line) != accelerator.name)
             continue;
         protocol::State values;

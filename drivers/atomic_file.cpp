@@ -39,23 +39,32 @@ bool sync_folder(const std::string& path) noexcept
     return fd && ::fsync(fd.get()) == 0;
 }
 
+Result<void> write_fresh(const std::string& path, std::span<const std::uint8_t> bytes,
+                         Durability durability)
+{
+    const UniqueFd fd(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+    if (!fd)
+        return fail(errno_error(ErrorKind::InputOutput, "make", path));
+    if (!write_all(fd.get(), bytes))
+        return fail(errno_error(ErrorKind::InputOutput, "write", path));
+    if (durability == Durability::Durable && ::fsync(fd.get()) != 0)
+        return fail(errno_error(ErrorKind::InputOutput, "sync", path));
+    return {};
+}
+
 } // namespace
 
 Result<void> replace_file(const std::string& path, std::span<const std::uint8_t> bytes,
                           Durability durability)
 {
     const std::string fresh = path + ".new";
-    {
-        const UniqueFd fd(::open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
-        if (!fd)
-            return fail(errno_error(ErrorKind::InputOutput, "make", fresh));
-        if (!write_all(fd.get(), bytes))
-            return fail(errno_error(ErrorKind::InputOutput, "write", fresh));
-        if (durability == Durability::Durable && ::fsync(fd.get()) != 0)
-            return fail(errno_error(ErrorKind::InputOutput, "sync", fresh));
+    auto result = write_fresh(fresh, bytes, durability);
+    if (result && std::rename(fresh.c_str(), path.c_str()) != 0)
+        result = fail(errno_error(ErrorKind::InputOutput, "replace", path));
+    if (!result) {
+        ::unlink(fresh.c_str());
+        return result;
     }
-    if (std::rename(fresh.c_str(), path.c_str()) != 0)
-        return fail(errno_error(ErrorKind::InputOutput, "replace", path));
     if (durability == Durability::Durable && !sync_folder(path))
         return fail(errno_error(ErrorKind::InputOutput, "sync the folder of", path));
     return {};

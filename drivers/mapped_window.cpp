@@ -8,7 +8,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cassert>
 #include <cerrno>
 #include <charconv>
@@ -136,9 +135,10 @@ void MappedWindow::write(RegOffset at, std::uint32_t word) noexcept
 {
     assert(at.bytes % 4 == 0 && mapping_.offset + at.bytes + 4 <= mapping_.length);
     auto* const bytes = static_cast<std::byte*>(mapping_.base);
-    *reinterpret_cast<volatile std::uint32_t*>(bytes + mapping_.offset + at.bytes) = word;
-    // The store must be out before whatever depends on it: a read back, or COMMIT.
-    std::atomic_thread_fence(std::memory_order_seq_cst);
+    // Released: whoever sees this word, hardware or a process at the same file, sees those written
+    // before it. COMMIT relies on that.
+    __atomic_store_n(reinterpret_cast<volatile std::uint32_t*>(bytes + mapping_.offset + at.bytes),
+                     word, __ATOMIC_RELEASE);
 }
 
 int MappedWindow::interrupt_fd() const noexcept

@@ -71,13 +71,12 @@ PseudoTerminal::~PseudoTerminal()
         fs::remove(link_, error);
 }
 
-/// Replies that the old host did not read would greet the next one, and its settings would stay.
-void PseudoTerminal::forget_old_host() noexcept
+/// Replies that the old host did not read would greet the next one.
+void PseudoTerminal::drop_unread_replies() noexcept
 {
     const UniqueFd other_end(::open(name_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
     if (other_end)
         ::tcflush(other_end.get(), TCIFLUSH);
-    static_cast<void>(set_raw(fd_.get()));
 }
 
 ReadOutcome PseudoTerminal::read(std::span<char> into) noexcept
@@ -87,11 +86,12 @@ ReadOutcome PseudoTerminal::read(std::span<char> into) noexcept
         host_present_ = true;
     if (outcome.status != ReadStatus::HungUp)
         return outcome;
+    static_cast<void>(set_raw(fd_.get())); // a host may have set it up otherwise, and said nothing
     // Opening and closing the other end makes a hang-up of its own; that one is not news.
     if (!host_present_)
         return {ReadStatus::Empty, 0};
     host_present_ = false;
-    forget_old_host();
+    drop_unread_replies();
     return outcome;
 }
 

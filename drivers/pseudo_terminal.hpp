@@ -37,7 +37,7 @@ class PseudoTerminal final : public BytePort
         , name_(std::move(name))
         , link_(std::move(link))
     {}
-    void forget_old_host() noexcept;
+    void drop_unread_replies() noexcept;
 
     UniqueFd fd_;
     std::string name_;

@@ -57,7 +57,7 @@ std::string baud_rates()
 {
     std::string text;
     for (const Speed& speed : speeds)
-        text += (text.empty() ? "" : " ") + std::to_string(speed.baud);
+        text.append(text.empty() ? "" : " ").append(std::to_string(speed.baud));
     return text;
 }
 

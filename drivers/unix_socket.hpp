@@ -43,7 +43,7 @@ class SocketListener
     /// listens there, or something else has that name), InputOutput.
     [[nodiscard]] static Result<SocketListener> open(const std::string& path);
     SocketListener(SocketListener&&) noexcept = default;
-    SocketListener& operator=(SocketListener&&) noexcept = default;
+    SocketListener& operator=(SocketListener&&) = delete; // opened once, closed once
     SocketListener(const SocketListener&) = delete;
     SocketListener& operator=(const SocketListener&) = delete;
     ~SocketListener();

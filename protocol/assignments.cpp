@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/assignments.hpp"
 
+#include "protocol/plain_number.hpp"
 #include "protocol/quantizer.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace raymarch::protocol
 {
@@ -26,36 +28,66 @@ bool is_key(const Accelerator& accelerator, std::string_view key) noexcept
            });
 }
 
-/// Whether `text` begins with `key=`, as the table writes it.
-bool begins_with_key(std::string_view text, std::string_view key) noexcept
+/// The name of a choice, as the table writes it, at the front of `text`: how long it is, or 0.
+std::size_t choose_plain(const Parameter& parameter, std::string_view text,
+                         std::int64_t& code) noexcept
 {
-    return text.size() > key.size() && text[key.size()] == '=' && text.starts_with(key);
+    for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
+        const std::string_view name = parameter.choices[i];
+        if (!text.starts_with(name) || (text.size() > name.size() && text[name.size()] != ','))
+            continue;
+        code = static_cast<std::int64_t>(i);
+        return name.size();
+    }
+    return 0;
 }
 
-/// A pair as hosts mostly write it: the key in upper case, no blanks, a plain number that is in
-/// range. Takes it off the front of `rest` up to its comma, or to the end; false, and nothing
-/// taken, for any other pair, which is then read by the rules, fault by fault.
-bool take_plain_pair(std::span<const Parameter> table, Text& rest, State& state,
-                     ParameterSet& given, std::size_t& guess) noexcept
+/// Pairs as hosts mostly write them: the key in upper case, no blanks, a plain number that is in
+/// range, or a name, and a comma or the end. Takes them off the front of `rest` for as long as they
+/// come; the first other pair is left to be read by the rules, fault by fault. True when the text
+/// ended with a pair.
+bool take_plain_pairs(std::span<const Parameter> table, Text& rest, State& state,
+                      ParameterSet& given, std::size_t& guess) noexcept
 {
-    std::size_t index = guess;
-    if (index >= table.size() || !begins_with_key(rest.bytes, table[index].key))
-        for (index = 0; index < table.size(); ++index)
-            if (begins_with_key(rest.bytes, table[index].key))
-                break;
-    if (index == table.size() || given[index] || table[index].is_choice())
-        return false;
-    const std::size_t value_at = table[index].key.size() + 1;
-    std::int64_t code = 0;
-    const std::size_t length = quantize_plain(table[index], rest.bytes.substr(value_at), code);
-    const std::size_t end = value_at + length;
-    if (length == 0 || (end < rest.bytes.size() && rest.bytes[end] != ','))
-        return false;
-    state.codes[index] = code;
-    given.set(index);
-    guess = index + 1;
-    rest = rest.from(end);
-    return true;
+    std::string_view bytes = rest.bytes;
+    static_assert(max_parameters <= 64);
+    std::uint64_t taken = given.to_ullong();
+    std::uint64_t front = 0;
+    while (bytes.size() >= sizeof front) {
+        std::memcpy(&front, bytes.data(), sizeof front);
+        std::size_t index = guess;
+        if (index >= table.size() || !table[index].front.matches(front))
+            for (index = 0; index < table.size(); ++index)
+                if (table[index].front.matches(front))
+                    break;
+        if (index == table.size() || (taken >> index & 1) != 0)
+            break;
+        const Parameter& parameter = table[index];
+        std::string_view value = bytes;
+        value.remove_prefix(parameter.front.length);
+        std::int64_t code = 0;
+        const std::size_t length = parameter.is_choice() ? choose_plain(parameter, value, code)
+                                                         : quantize_plain(parameter, value, code);
+        if (length == 0 || (length < value.size() && value[length] != ','))
+            break;
+        state.codes[index] = code;
+        taken |= std::uint64_t{1} << index;
+        guess = index + 1;
+        if (length == value.size()) {
+            given = ParameterSet(taken);
+            return true;
+        }
+        value.remove_prefix(length + 1);
+        bytes = value;
+    }
+    given = ParameterSet(taken);
+    rest = rest.from(rest.bytes.size() - bytes.size());
+    return false;
+}
+
+ParameterSet all_parameters(const Accelerator& accelerator) noexcept
+{
+    return ParameterSet().set() >> (max_parameters - accelerator.parameters.size());
 }
 
 tl::expected<std::int64_t, ErrorCode> read_value(const Parameter& parameter,
@@ -76,12 +108,8 @@ std::optional<Fault> read_assignments(const Accelerator& accelerator, Text text,
     Text rest = text.trimmed();
     std::size_t guess = 0;
     for (bool more = true; more;) {
-        if (take_plain_pair(accelerator.parameters, rest, state, given, guess)) {
-            if (rest.empty())
-                return std::nullopt;
-            rest = rest.from(1); // the comma
-            continue;
-        }
+        if (take_plain_pairs(accelerator.parameters, rest, state, given, guess))
+            return std::nullopt;
         const Piece pair = take_until(rest, ',');
         more = pair.found;
         Text value = pair.text;
@@ -112,7 +140,7 @@ std::optional<Fault> read_frame(const Accelerator& accelerator, Text text, State
     ParameterSet given;
     if (auto fault = read_assignments(accelerator, text, state, given))
         return fault;
-    if (given.count() == accelerator.parameters.size())
+    if (given == all_parameters(accelerator))
         return std::nullopt;
     Fault fault{.code = ErrorCode::MissingKey};
     for (std::size_t i = 0; i < accelerator.parameters.size(); ++i)

@@ -53,12 +53,12 @@ ValueText to_text(const Parameter& parameter, std::int64_t code) noexcept
         return text;
     }
 
-    // One integer bit more: a decimal that is only held at the largest code does not name it.
+    // Without the hold: a decimal that is only held at the largest code does not name it.
     Parameter unheld = parameter;
-    ++unheld.format.integer_bits;
+    unheld.largest_code = INT64_MAX;
     if (code < parameter.min_scaled || code > parameter.max_scaled) { // no frame can set it
-        unheld.min_scaled = parameter.format.min_code();
-        unheld.max_scaled = parameter.format.max_code();
+        unheld.positive = {.least = 0, .first_above = UINT64_MAX};
+        unheld.negative = unheld.positive;
     }
 
     const bool negative = code < 0;

@@ -12,6 +12,7 @@
 #include "protocol/text.hpp"
 
 #include <array>
+#include <bit>
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
@@ -49,14 +50,48 @@ struct Format
     return {false, integer_bits, fraction_bits};
 }
 
+/// Position of a parameter in its table.
+using ParameterIndex = std::uint8_t;
+
 /// Bits [msb:lsb] of one register word. A parameter that spans words lists its upper part first.
 struct Slice
 {
     std::uint8_t word = 0;
     std::uint8_t msb = 0;
     std::uint8_t lsb = 0;
+    // Filled in by complete(): which bit of the parameter stands at lsb, and as many ones as bits.
+    std::uint8_t shift = 0;
+    std::uint32_t mask = 0;
 
     [[nodiscard]] constexpr int width() const noexcept { return msb - lsb + 1; }
+};
+
+/// A slice with the parameter that it belongs to.
+struct Field
+{
+    ParameterIndex parameter = 0;
+    Slice slice{};
+};
+
+/// `KEY=` as the first bytes of eight that the processor loads at once; empty for a key of more
+/// than seven letters.
+struct KeyFront
+{
+    std::uint64_t bits = 1; ///< with an empty mask: matches nothing
+    std::uint64_t mask = 0;
+    std::uint8_t length = 0;
+
+    [[nodiscard]] constexpr bool matches(std::uint64_t loaded) const noexcept
+    {
+        return (loaded & mask) == bits;
+    }
+};
+
+/// The magnitudes that a parameter takes, in half codes: from `least` to below `first_above`.
+struct Limits
+{
+    std::uint64_t least = UINT64_MAX; ///< as they stand here: none
+    std::uint64_t first_above = 0;
 };
 
 /// One value that a host may set.
@@ -74,10 +109,15 @@ struct Parameter
     std::uint8_t slice_count = 1;
     std::span<const std::string_view> choices{}; ///< names of the codes 0, 1, …; empty for numbers
 
-    // Filled in by complete(): the range in units of 2^-fraction_bits, and the default's code.
+    // Filled in by complete(): the range in units of 2^-fraction_bits, the default's code, and what
+    // the parser's short path compares.
     std::int64_t min_scaled = 0;
     std::int64_t max_scaled = 0;
     std::int64_t initial_code = 0;
+    std::int64_t largest_code = 0; ///< format.max_code()
+    Limits positive{};             ///< of numbers without a minus sign
+    Limits negative{};             ///< with one; a negative zero is a zero
+    KeyFront front{};
 
     [[nodiscard]] constexpr std::span<const Slice> placement() const noexcept
     {
@@ -100,9 +140,6 @@ struct State
 
 /// A subset of a table, by index.
 using ParameterSet = std::bitset<max_parameters>;
-
-/// Position of a parameter in its table.
-using ParameterIndex = std::uint8_t;
 
 /// The twelve parameters that make a camera; what VIEW sets and the basis check looks at.
 struct OrbitCamera
@@ -147,6 +184,7 @@ struct Accelerator
     std::uint8_t ray_units;
     std::uint32_t clock_hz;
     std::span<const Parameter> parameters;
+    std::span<const Field> fields; ///< every slice of the parameters, see fields_of()
     std::span<const Preset> presets;
     std::optional<OrbitCamera> camera;
     std::optional<Colour> colour;
@@ -207,8 +245,39 @@ consteval std::int64_t bound(std::string_view text, int fraction_bits)
     return value->negative ? -magnitude : magnitude;
 }
 
+consteval KeyFront key_front(std::string_view key)
+{
+    if (key.size() >= sizeof(std::uint64_t))
+        return {};
+    KeyFront front{.bits = 0, .mask = 0, .length = static_cast<std::uint8_t>(key.size() + 1)};
+    for (std::size_t i = 0; i <= key.size(); ++i) {
+        const auto byte = static_cast<std::uint8_t>(i < key.size() ? key[i] : '=');
+        const std::size_t position =
+            std::endian::native == std::endian::little ? i : sizeof(std::uint64_t) - 1 - i;
+        front.bits |= std::uint64_t{byte} << (8 * position);
+        front.mask |= std::uint64_t{0xFF} << (8 * position);
+    }
+    return front;
+}
+
+consteval Limits limits(std::int64_t least, std::int64_t most)
+{
+    if (most < 0)
+        return {};
+    return {.least = least > 0 ? static_cast<std::uint64_t>(least) * 2 : 0,
+            .first_above = static_cast<std::uint64_t>(most) * 2 + 1};
+}
+
 consteval void complete_row(Parameter& row)
 {
+    row.front = key_front(row.key);
+    row.largest_code = row.format.max_code();
+    int below = row.format.width();
+    for (Slice& slice : std::span(row.slices).first(row.slice_count)) {
+        below -= slice.width();
+        slice.shift = static_cast<std::uint8_t>(below);
+        slice.mask = static_cast<std::uint32_t>((std::uint64_t{1} << slice.width()) - 1);
+    }
     if (row.is_choice()) {
         row.max_scaled = static_cast<std::int64_t>(row.choices.size()) - 1;
         const std::optional<std::int64_t> code = find_choice(row, row.initial);
@@ -221,6 +290,8 @@ consteval void complete_row(Parameter& row)
         row.initial_code = bound(row.initial, row.format.fraction_bits);
         if (row.initial_code < row.min_scaled || row.initial_code > row.max_scaled)
             table_error("the default is out of range");
+        row.positive = limits(row.min_scaled, row.max_scaled);
+        row.negative = limits(-row.max_scaled, -row.min_scaled);
         if (row.initial_code > row.format.max_code()) // 1.0 in a format that ends below it
             row.initial_code = row.format.max_code();
     }
@@ -261,6 +332,29 @@ consteval std::array<Parameter, N> complete(std::array<Parameter, N> table)
         }
     }
     return table;
+}
+
+/// The fields of a table in one row, as packing walks through them; as many as `count` says.
+template <std::size_t N>
+struct Fields
+{
+    std::array<Field, 2 * N> rows{};
+    std::size_t count = 0;
+
+    [[nodiscard]] constexpr std::span<const Field> span() const noexcept
+    {
+        return std::span(rows).first(count);
+    }
+};
+
+template <std::size_t N>
+consteval Fields<N> fields_of(const std::array<Parameter, N>& table)
+{
+    Fields<N> fields;
+    for (std::size_t i = 0; i < N; ++i)
+        for (const Slice& slice : table[i].placement())
+            fields.rows[fields.count++] = {static_cast<ParameterIndex>(i), slice};
+    return fields;
 }
 
 } // namespace raymarch::protocol

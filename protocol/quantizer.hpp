@@ -7,7 +7,6 @@
 #include "protocol/errors.hpp"
 #include "protocol/parameters.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -18,15 +17,5 @@ namespace raymarch::protocol
 /// The code of `text` for a number parameter. Errors: Number, Range.
 [[nodiscard]] tl::expected<std::int64_t, ErrorCode> quantize(const Parameter& parameter,
                                                              std::string_view text) noexcept;
-
-/// The code of a plain number at the front of `text`: at most 18 characters, no exponent, in range.
-/// Returns how many characters it has, or 0 for any other text, faulty or not: that is for
-/// `quantize` to tell apart. What most numbers of most hosts take, in 64-bit arithmetic.
-[[nodiscard]] std::size_t quantize_plain(const Parameter& parameter, std::string_view text,
-                                         std::int64_t& code) noexcept;
-
-/// The same as `quantize` by the general way alone; the tests hold the two together.
-[[nodiscard]] tl::expected<std::int64_t, ErrorCode>
-quantize_any_length(const Parameter& parameter, std::string_view text) noexcept;
 
 } // namespace raymarch::protocol

@@ -99,15 +99,10 @@ using Words = std::array<std::uint32_t, max_parameter_words>;
 [[nodiscard]] constexpr Words pack(const Accelerator& accelerator, const State& state) noexcept
 {
     Words words{};
-    for (std::size_t i = 0; i < accelerator.parameters.size(); ++i) {
-        const Parameter& parameter = accelerator.parameters[i];
-        int below = parameter.format.width();
-        for (const Slice& slice : parameter.placement()) {
-            below -= slice.width();
-            const std::uint64_t bits = static_cast<std::uint64_t>(state.codes[i]) >> below;
-            const std::uint64_t mask = (std::uint64_t{1} << slice.width()) - 1;
-            words[slice.word] |= static_cast<std::uint32_t>((bits & mask) << slice.lsb);
-        }
+    for (const auto& [parameter, slice] : accelerator.fields) {
+        const std::uint64_t bits =
+            static_cast<std::uint64_t>(state.codes[parameter]) >> slice.shift;
+        words[slice.word] |= (static_cast<std::uint32_t>(bits) & slice.mask) << slice.lsb;
     }
     return words;
 }
@@ -121,8 +116,7 @@ using Words = std::array<std::uint32_t, max_parameter_words>;
         const Parameter& parameter = accelerator.parameters[i];
         std::uint64_t bits = 0;
         for (const Slice& slice : parameter.placement()) {
-            const std::uint64_t mask = (std::uint64_t{1} << slice.width()) - 1;
-            bits = bits << slice.width() | (std::uint64_t{words[slice.word]} >> slice.lsb & mask);
+            bits = bits << slice.width() | (words[slice.word] >> slice.lsb & slice.mask);
         }
         const int spare = 64 - parameter.format.width();
         state.codes[i] = parameter.format.is_signed

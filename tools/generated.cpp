@@ -21,24 +21,20 @@ namespace
 
 using namespace protocol; // NOLINT(google-build-using-namespace): prints its tables
 
-/// A field of a word, with the name of its parameter and which bits of it these are.
+/// A field of a word, with its parameter.
 struct Field
 {
     const Parameter* parameter;
     Slice slice;
-    int lowest_bit; ///< of the parameter
 };
 
 std::vector<Field> fields_of_word(const Accelerator& accelerator, std::size_t word)
 {
     std::vector<Field> fields;
     for (const Parameter& parameter : accelerator.parameters) {
-        int below = parameter.format.width();
-        for (const Slice& slice : parameter.placement()) {
-            below -= slice.width();
+        for (const Slice& slice : parameter.placement())
             if (slice.word == word)
-                fields.push_back({&parameter, slice, below});
-        }
+                fields.push_back({&parameter, slice});
     }
     std::ranges::sort(fields,
                       [](const Field& a, const Field& b) { return a.slice.msb > b.slice.msb; });
@@ -89,8 +85,8 @@ std::string parameter_words(const Accelerator& accelerator)
         for (const Field& field : fields_of_word(accelerator, word)) {
             const bool part = field.parameter->slice_count > 1;
             const std::string bits =
-                part ? fmt::format("{{{}:{}}}", field.lowest_bit + field.slice.width() - 1,
-                                   field.lowest_bit)
+                part ? fmt::format("{{{}:{}}}", field.slice.shift + field.slice.width() - 1,
+                                   field.slice.shift)
                      : "";
             fields += fmt::format("{}{}{}[{}:{}]", fields.empty() ? "" : " ", field.parameter->key,
                                   bits, field.slice.msb, field.slice.lsb);

@@ -16,7 +16,7 @@ namespace raymarch::engine::marcher
 struct InverseSqrt
 {
     std::uint32_t mantissa; ///< Q2.30, above 0.7071 and at most 1.4143
-    int shift;              ///< 7 to 38
+    int shift;              ///< 6 to 38
 };
 
 /// Relative error below 2^-25 (the source's: 1.2e-4). Precondition: squared > 0.

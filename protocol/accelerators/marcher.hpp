@@ -44,6 +44,8 @@ inline constexpr auto parameters = complete(std::array{
     Parameter{.key = "OBJ", .meaning = "scene", .unit = "", .group = "object", .format = object_format, .min = "", .max = "", .initial = "sphere", .slices = {{{0, 31, 30}}}, .choices = scenes},
 });
 
+inline constexpr auto fields = fields_of(parameters);
+
 /// At least two views of each scene; every camera stands in free space.
 inline constexpr std::array presets = {
     Preset{"sphere", "the unit sphere from the front, lit from the upper right", "FX=0,FY=0,FZ=1,RX=1,RY=0,RZ=0,UX=0,UY=1,UZ=0,ZM=1.9,LX=3,LY=2,LZ=5,R=1,G=1,B=1,OBJ=sphere"},
@@ -68,6 +70,7 @@ inline constexpr Accelerator description = {
     .ray_units = 4,
     .clock_hz = 100'000'000,
     .parameters = parameters,
+    .fields = fields.span(),
     .presets = presets,
     .camera =
         OrbitCamera{.forward = {FX, FY, FZ}, .right = {RX, RY, RZ}, .up = {UX, UY, UZ}, .zoom = ZM},

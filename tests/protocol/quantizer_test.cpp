@@ -6,8 +6,10 @@
 
 #include "protocol/accelerators/marcher.hpp"
 #include "protocol/dequantizer.hpp"
+#include "protocol/plain_number.hpp"
 #include "tests/fakes/random.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -195,17 +197,46 @@ std::string random_number(std::mt19937_64& random)
 TEST(Quantizer, TheShortWayAgreesWithTheGeneralOne)
 {
     auto random = test::seeded_random();
-    int numbers = 0;
+    int taken = 0;
     for (int i = 0; i < 200'000; ++i) {
         const std::string text = random_number(random);
+        const std::string line = text + ",OBJ=sphere"; // as it stands in a frame
         for (const Parameter* parameter : {&direction, &light, &colour, &zoom}) {
-            const auto quick = quantize(*parameter, text);
-            const auto general = quantize_any_length(*parameter, text);
-            ASSERT_EQ(quick, general) << parameter->key << '=' << text;
-            numbers += quick ? 1 : 0;
+            std::int64_t code = 0;
+            const std::size_t length = quantize_plain(*parameter, line, code);
+            if (length == 0 || line[length] != ',')
+                continue; // left to the general way
+            const auto general = quantize(*parameter, text);
+            ASSERT_TRUE(general) << parameter->key << '=' << text;
+            ASSERT_EQ(code, *general) << parameter->key << '=' << text;
+            ++taken;
         }
     }
-    EXPECT_GT(numbers, 100'000); // or the texts have become useless
+    EXPECT_GT(taken, 10'000); // or the texts have become useless
+}
+
+/// Numbers whose half codes fill 64 bits, or just do not: nothing may wrap around into the range.
+TEST(Quantizer, EnormousNumbersAreOutOfRange)
+{
+    for (const std::string text :
+         {"9007199254740991.99999", "9007199254740992", "9223372036854775807.9",
+          "18446744073709551615.99999", "18446744073709551616", "1e20"}) {
+        for (const Parameter* parameter : {&direction, &light, &colour, &zoom}) {
+            EXPECT_EQ(quantize(*parameter, text).error(), ErrorCode::Range) << text;
+            EXPECT_EQ(quantize(*parameter, "-" + text).error(), ErrorCode::Range) << text;
+        }
+    }
+}
+
+/// Every code of Q7.3 and the ties between them, written with three decimals as hosts write them.
+TEST(Quantizer, TheShortWayTakesWhatHostsWrite)
+{
+    for (int sixteenths = -64 * 16; sixteenths <= 63 * 16 + 14; ++sixteenths) {
+        const std::string text = fmt::format("{:.4f}", sixteenths / 16.0);
+        std::int64_t code = 0;
+        ASSERT_EQ(quantize_plain(light, text + ",OBJ=sphere", code), text.size()) << text;
+        EXPECT_EQ(code, *quantize(light, text)) << text;
+    }
 }
 
 } // namespace
