@@ -59,6 +59,7 @@ TEST(Dequantizer, FewestPlacesThatComeBack)
     }
 }
 
+#ifdef __SIZEOF_INT128__              // an independent wide integer; 32-bit targets have none
 __extension__ typedef __int128 Exact; // NOLINT(modernize-use-using)
 
 /// numerator / denominator, ties away from zero or to even; both positive.
@@ -112,6 +113,7 @@ TEST(Dequantizer, NoFewerPlacesWouldDo)
         expect_fewest_places(marcher::parameters[marcher::ZM],
                              test::pick<std::int64_t>(random, 0, 167'772'160));
 }
+#endif
 
 TEST(Dequantizer, ACodeBeyondTheRangeIsShownAsIfTheRangeWereTheFormat)
 {
