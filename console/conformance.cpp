@@ -99,7 +99,8 @@ class Runner
             return fail(start.error());
         before_ = words_of(start->back()).value_or(std::vector<std::uint32_t>());
         for (const conformance::Row& row : *rows)
-            judge(table.name, row);
+            if (auto judged = judge(table.name, row); !judged)
+                return judged;
         return {};
     }
 
@@ -107,21 +108,25 @@ class Runner
     [[nodiscard]] unsigned failed() const noexcept { return failed_; }
 
   private:
-    void judge(std::string_view table, const conformance::Row& row)
+    /// Errors: InputOutput, when the other side has fallen silent.
+    Result<void> judge(std::string_view table, const conformance::Row& row)
     {
         const std::string difference = run_row(row);
         if (difference.empty()) {
             ++passed_;
             if (verbose_)
                 fmt::print("ok {}.tsv:{} {}\n", table, row.line, row.why);
-            return;
+            return {};
         }
         ++failed_;
         fmt::print("FAILED {}.tsv:{} {}\n  sent     {}\n{}", table, row.line, row.why,
                    visible(row.send), difference);
         connection_.drain(quiet); // the next row starts in step again
-        if (const auto now = connection_.ask("REGS"))
-            before_ = words_of(now->back()).value_or(before_);
+        const auto now = connection_.ask("REGS");
+        if (!now)
+            return fail(now.error());
+        before_ = words_of(now->back()).value_or(before_);
+        return {};
     }
 
     /// What differs, in lines; empty when nothing does. REGS behind the row's own bytes ends its
@@ -165,14 +170,19 @@ int run_conformance(const Options& options)
     if (!connection)
         return report(connection.error());
     Runner runner(*connection, options.verbose);
+    bool silent = false;
     for (const ConformanceTable& table : conformance_tables()) {
         if (const auto result = runner.run(table); !result) {
             fmt::print(stderr, "raymarchctl: {}: {}\n", table.name, result.error().message);
-            return EX_UNAVAILABLE;
+            silent = true;
+            break;
         }
     }
-    static_cast<void>(connection->ask("RESET")); // leave the defaults behind
+    if (!silent)
+        static_cast<void>(connection->ask("RESET")); // leave the defaults behind
     fmt::print("{} passed, {} failed\n", runner.passed(), runner.failed());
+    if (silent)
+        return EX_UNAVAILABLE;
     return runner.failed() == 0 ? EX_OK : status_err_reply;
 }
 

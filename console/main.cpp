@@ -5,6 +5,7 @@
 #include <sysexits.h>
 
 #include <cstdio>
+#include <system_error>
 
 namespace raymarch::console
 {
@@ -33,5 +34,11 @@ int main(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? EX_OK : EX_USAGE;
     }
-    return run();
+    try {
+        const int status = run();
+        return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 ? status : EX_IOERR;
+    } catch (const std::system_error& error) { // what fmt::print throws when nobody takes the text
+        fmt::print(stderr, "raymarchctl: {}\n", error.what());
+        return EX_IOERR;
+    }
 }

@@ -19,6 +19,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,11 +31,11 @@ namespace
 struct Options
 {
     std::string accelerator{protocol::default_accelerator.name};
-    std::string line;
-    std::string settings;
-    std::string preset;
+    std::optional<std::string> line;
+    std::optional<std::string> settings;
+    std::optional<std::string> preset;
     std::vector<std::string> words;
-    std::string size;
+    std::optional<std::string> size;
     unsigned threads = 0;
     bool reference = false;
     std::string output;
@@ -67,14 +68,14 @@ Result<protocol::State> state_of_line(const protocol::Accelerator& accelerator,
 
 /// The defaults, changed by `settings` in the syntax of SET.
 Result<protocol::State> changed_defaults(const protocol::Accelerator& accelerator,
-                                         std::string_view settings)
+                                         std::optional<std::string_view> settings)
 {
     protocol::State state = protocol::initial_state(accelerator);
     protocol::ParameterSet given;
-    if (settings.empty())
+    if (!settings)
         return state;
     if (const auto fault =
-            protocol::read_assignments(accelerator, {.bytes = settings}, state, given))
+            protocol::read_assignments(accelerator, {.bytes = *settings}, state, given))
         return fail(refused(accelerator, *fault));
     return state;
 }
@@ -97,9 +98,9 @@ Result<protocol::Words> words_to_draw(const protocol::Accelerator& accelerator,
 {
     if (!options.words.empty())
         return parse_words(accelerator, options.words);
-    const auto state = !options.line.empty()     ? state_of_line(accelerator, options.line)
-                       : !options.preset.empty() ? state_of_preset(accelerator, options.preset)
-                                                 : changed_defaults(accelerator, options.settings);
+    const auto state = options.line     ? state_of_line(accelerator, *options.line)
+                       : options.preset ? state_of_preset(accelerator, *options.preset)
+                                        : changed_defaults(accelerator, options.settings);
     if (!state)
         return fail(state.error());
     return protocol::pack(accelerator, *state);
@@ -129,13 +130,12 @@ Result<void> render(const Options& options)
     if (const auto format = pictures::format_of(options.output); !format)
         return fail(format.error()); // before the work, not after it
     const protocol::Accelerator& description = **accelerator;
-    const auto size = options.size.empty()
-                          ? std::optional(description.size)
-                          : protocol::parse_size(options.size, description.max_size);
+    const auto size = options.size ? protocol::parse_size(*options.size, description.max_size)
+                                   : std::optional(description.size);
     if (!size)
         return fail(
             plain_error(ErrorKind::Usage,
-                        fmt::format("'{}' is not a size from 1x1 to {}x{}", options.size,
+                        fmt::format("'{}' is not a size from 1x1 to {}x{}", *options.size,
                                     description.max_size.width, description.max_size.height)));
     const auto words = words_to_draw(description, options);
     if (!words)

@@ -25,7 +25,7 @@ struct Options
 /// A line that is blank has no reply to wait for.
 bool has_reply(const std::string& line)
 {
-    return line.find_first_not_of(" \t") != std::string::npos;
+    return line.find_first_not_of(" \t\r") != std::string::npos;
 }
 
 int send(const Options& options)

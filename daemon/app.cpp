@@ -131,6 +131,8 @@ bool App::save(const protocol::State& state)
     if (!store_)
         return false;
     const PersistedState both = {.last = state, .saved = state};
+    if (both == persisted_ && !persist_waits_ && !store_->behind() && store_->load())
+        return true; // the file holds it
     if (!store_->write_now(both))
         return false;
     persisted_ = both;
@@ -160,11 +162,12 @@ void App::open_serial()
     if (*port == nullptr)
         return;
     serial_problem_.clear();
-    serial_back_off_.reset();
+    serial_back_off_.opened();
     serial_.emplace(loop_, std::move(*port), controller_, [this](Endpoint& gone) {
         log::warning("the serial port has gone away; it will be looked for");
         dropped_before_ += gone.session().dropped_replies();
         serial_.reset();
+        serial_back_off_.lost();
         retry_serial_->arm(serial_back_off_.next());
     });
 }
@@ -173,28 +176,36 @@ void App::open_control()
 {
     if (config_.control.empty())
         return;
-    auto listener = drivers::SocketListener::open(config_.control);
-    if (!listener) {
-        log_once(control_problem_, listener.error(), "no control socket");
-        retry_control_->arm(control_back_off_.next());
-        return;
+    if (!listener_) {
+        auto listener = drivers::SocketListener::open(config_.control);
+        if (!listener) {
+            log_once(control_problem_, listener.error(), "no control socket");
+            retry_control_->arm(control_back_off_.next());
+            return;
+        }
+        listener_.emplace(std::move(*listener));
+        control_problem_.clear();
+        control_back_off_.reset();
     }
-    control_problem_.clear();
-    control_back_off_.reset();
-    listener_.emplace(std::move(*listener));
     accept_ = loop_.add_io(listener_->fd(), EPOLLIN, [this](std::uint32_t) { accept_client(); });
 }
 
 void App::accept_client()
 {
     auto port = listener_->accept();
-    if (!port)
+    if (!port) { // the client waits on, and would wake the loop again and again
+        log_once(control_problem_, port.error(), "control socket");
+        accept_.reset();
+        retry_control_->arm(control_back_off_.next());
+        return;
+    }
+    if (*port == nullptr)
         return;
     if (clients_.size() >= max_clients) {
         log::warning("a client was turned away: there are {} already", max_clients);
         return;
     }
-    clients_.emplace_back(loop_, std::move(port), controller_, [this](Endpoint& gone) {
+    clients_.emplace_back(loop_, std::move(*port), controller_, [this](Endpoint& gone) {
         dropped_before_ += gone.session().dropped_replies();
         clients_.remove_if([&](const Endpoint& client) { return &client == &gone; });
     });

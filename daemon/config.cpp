@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/config.hpp"
 
+#include "drivers/atomic_file.hpp"
 #include "drivers/serial_port.hpp"
 #include "drivers/unix_socket.hpp"
 #include "protocol/accelerators.hpp"
@@ -10,8 +11,6 @@
 
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
-
-#include <unistd.h>
 
 #include <array>
 #include <charconv>
@@ -23,7 +22,7 @@ namespace
 {
 
 constexpr unsigned default_baud = 115'200;
-constexpr const char* uio_name = "raymarch";
+constexpr std::size_t largest_config_file = 65'536;
 
 Error refuse(std::string_view text, std::string_view allowed)
 {
@@ -205,7 +204,6 @@ Result<void> set_emulated_threads(Config& config, std::string_view text)
     return {};
 }
 
-// In this order: what depends on the accelerator comes after it.
 // Laid out by hand: one row a setting.
 // clang-format off
 constexpr std::array table = {
@@ -268,6 +266,12 @@ Result<void> set(Config& config, std::string_view name, std::string_view text)
 
 Result<void> validate(const Config& config)
 {
+    const bool may_draw = std::holds_alternative<EmulatedRegisters>(config.registers) ||
+                          std::holds_alternative<AutoRegisters>(config.registers);
+    if (!config.preview.empty() && !may_draw)
+        return fail(plain_error(ErrorKind::Config,
+                                "preview: only the emulated accelerator's picture can be seen; "
+                                "registers must be emulated or auto"));
     const protocol::PictureSize size = config.emulated.size;
     const protocol::PictureSize largest = config.accelerator->max_size;
     if (size.width > largest.width || size.height > largest.height)
@@ -280,9 +284,10 @@ Result<void> validate(const Config& config)
 
 Result<void> read_config_file(Config& config, const std::string& path)
 {
-    if (::access(path.c_str(), R_OK) != 0) // the parser would only say that it could not be opened
-        return fail(errno_error(ErrorKind::Config, "read", path));
-    const toml::parse_result parsed = toml::parse_file(path);
+    const auto content = drivers::read_file(path, largest_config_file);
+    if (!content)
+        return fail(plain_error(ErrorKind::Config, content.error().message));
+    const toml::parse_result parsed = toml::parse(*content, path);
     if (!parsed)
         return fail(plain_error(ErrorKind::Config,
                                 fmt::format("{}:{}: {}", path, parsed.error().source().begin.line,

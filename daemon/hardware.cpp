@@ -126,7 +126,7 @@ void Hardware::try_to_open()
         return;
     }
     last_problem_.clear();
-    back_off_.reset();
+    back_off_.opened();
     faulty_ = false;
     log::info("registers: {} {}", path_->accelerator().name,
               path_->extended() ? "with extended registers" : "without extended registers");
@@ -135,7 +135,8 @@ void Hardware::try_to_open()
 
 void Hardware::close()
 {
-    log::warning("the register block has gone away");
+    log::warning("the register block has gone away; it will be looked for");
+    back_off_.lost();
     interrupt_.reset();
     path_.reset();
     bus_.reset();
@@ -154,6 +155,10 @@ Applied Hardware::apply(const protocol::Words& words)
 /// What follows from the outcome of an update, asked for just now or brought later.
 void Hardware::settle(Applied applied)
 {
+    if (bus_ && bus_->lost()) {
+        close();
+        return;
+    }
     if (applied == Applied::Failed) {
         ++readback_errors_;
         if (!faulty_)
@@ -161,9 +166,7 @@ void Hardware::settle(Applied applied)
     }
     if (applied == Applied::Written || applied == Applied::Failed)
         faulty_ = applied == Applied::Failed;
-    if (bus_ && bus_->lost())
-        close();
-    else if (path_ && path_->deferred())
+    if (path_ && path_->deferred())
         wait_for_frame_start();
 }
 
@@ -218,11 +221,6 @@ void Hardware::write_status(protocol::ReplyWriter& reply)
     }
     frames_before_ = frames;
     status_before_ = now;
-}
-
-const protocol::Accelerator& Hardware::accelerator() const noexcept
-{
-    return path_ ? path_->accelerator() : *config_.accelerator;
 }
 
 } // namespace raymarch::daemon

@@ -33,8 +33,6 @@ class Hardware final : public Board
     /// ` hardware=… block=… frames=… fps=…`
     void write_status(protocol::ReplyWriter& reply);
 
-    [[nodiscard]] const protocol::Accelerator& accelerator() const noexcept;
-
   private:
     [[nodiscard]] Result<std::unique_ptr<drivers::RegisterBus>> open_bus();
     [[nodiscard]] Result<void> open();

@@ -30,7 +30,8 @@ int main(int argc, char** argv)
         return 0;
     log::set_level(config->log_level);
 
-    sigset_t handled; // by the event loop; blocked before any thread exists
+    std::signal(SIGPIPE, SIG_IGN); // a log or a client that is read no more is no reason to end
+    sigset_t handled;              // by the event loop; blocked before any thread exists
     sigemptyset(&handled);
     for (const int number : {SIGTERM, SIGINT, SIGHUP})
         sigaddset(&handled, number);

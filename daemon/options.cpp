@@ -62,7 +62,8 @@ Result<Config> load_config(const Options& options)
             return fail(result.error());
     for (const auto& [name, text] : options.settings)
         if (auto result = set(config, name, text); !result)
-            return fail(plain_error(ErrorKind::Usage, "--" + result.error().message));
+            return fail(plain_error(
+                ErrorKind::Usage, option_name(name) + result.error().message.substr(name.size())));
     if (auto result = validate(config); !result)
         return fail(result.error());
     return config;

@@ -82,11 +82,14 @@ void StateStore::write_later(const PersistedState& state)
 Result<void> StateStore::write_now(const PersistedState& state)
 {
     const std::scoped_lock file_lock(file_mutex_);
-    {
-        const std::scoped_lock lock(mutex_);
-        waiting_.reset(); // older than this one
-    }
-    return write(state);
+    std::unique_lock lock(mutex_);
+    const std::optional<PersistedState> older = std::exchange(waiting_, std::nullopt);
+    lock.unlock();
+    auto result = write(state);
+    lock.lock();
+    if (!result && !waiting_)
+        waiting_ = older; // still better than what is in the file
+    return result;
 }
 
 void StateStore::work(const std::stop_token& stop)

@@ -40,8 +40,6 @@ class StateStore
     /// Whether something that was handed over is not in the file yet.
     [[nodiscard]] bool behind();
 
-    [[nodiscard]] const std::string& path() const noexcept { return path_; }
-
   private:
     /// With file_mutex_ held.
     [[nodiscard]] Result<void> write(const PersistedState& state);

@@ -42,7 +42,8 @@ bool sync_folder(const std::string& path) noexcept
 Result<void> write_fresh(const std::string& path, std::span<const std::uint8_t> bytes,
                          Durability durability)
 {
-    const UniqueFd fd(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+    const UniqueFd fd(
+        ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0644));
     if (!fd)
         return fail(errno_error(ErrorKind::InputOutput, "make", path));
     if (!write_all(fd.get(), bytes))

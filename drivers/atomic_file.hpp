@@ -17,7 +17,7 @@ namespace raymarch::drivers
 /// Whether the new content must survive a power cut (fsync of file and folder) or may be lost.
 enum class Durability : std::uint8_t { Durable, BestEffort };
 
-/// Writes a new file beside `path` and renames it over. Errors: InputOutput; the old content stays.
+/// Writes `path`.new and renames it over. Errors: InputOutput; the old content stays.
 [[nodiscard]] Result<void> replace_file(const std::string& path,
                                         std::span<const std::uint8_t> bytes, Durability durability);
 

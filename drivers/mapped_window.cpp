@@ -102,6 +102,9 @@ MappedWindow::open_uio(const std::string& device, std::size_t bytes, const std::
         return fail(plain_error(ErrorKind::Unavailable, device + ": " + (region / "size").string() +
                                                             " must say at least " +
                                                             std::to_string(bytes) + " bytes"));
+    if (offset.value_or(0) >= page_size())
+        return fail(plain_error(ErrorKind::Unavailable,
+                                (region / "offset").string() + " must lie within one page"));
     return map(std::move(fd), device, bytes, offset.value_or(0), true);
 }
 
@@ -116,7 +119,7 @@ Result<std::unique_ptr<MappedWindow>> MappedWindow::open_file(const std::string&
         return fail(errno_error(ErrorKind::InputOutput, "stat", path));
     if (!S_ISREG(info.st_mode))
         return fail(plain_error(ErrorKind::Unavailable, path + " is not an ordinary file"));
-    if (static_cast<std::size_t>(info.st_size) < bytes &&
+    if (info.st_size < static_cast<off_t>(bytes) &&
         ::ftruncate(fd.get(), static_cast<off_t>(bytes)) != 0)
         return fail(errno_error(ErrorKind::InputOutput, "extend", path));
     return map(std::move(fd), path, bytes, 0, false);

@@ -37,7 +37,10 @@ Result<void> place_link(const std::string& target, const fs::path& link)
         return fail(plain_error(ErrorKind::Unavailable,
                                 link.string() + " is there and is no symbolic link"));
     const fs::path fresh = link.string() + ".new";
-    fs::remove(fresh, error);
+    if (fs::is_symlink(
+            fs::symlink_status(fresh, error))) // left behind by a service that was killed
+        fs::remove(fresh, error);
+    error.clear();
     fs::create_symlink(target, fresh, error);
     if (!error)
         fs::rename(fresh, link, error);

@@ -76,10 +76,14 @@ Result<SocketListener> SocketListener::open(const std::string& path)
     auto address = address_of(path);
     if (!address)
         return fail(address.error());
-    if (SocketPort::connect(path))
-        return fail(plain_error(ErrorKind::Unavailable, path + ": another process listens there"));
+    const auto probe = SocketPort::connect(path);
+    const bool refused = !probe && probe.error().number == ECONNREFUSED;
     struct stat info = {};
-    if (::lstat(path.c_str(), &info) == 0 && S_ISSOCK(info.st_mode))
+    const bool there = ::lstat(path.c_str(), &info) == 0;
+    if (there && !(refused && S_ISSOCK(info.st_mode))) // it answers, or is none of ours to judge
+        return fail(plain_error(ErrorKind::Unavailable,
+                                path + ": another process listens there, or it is no socket"));
+    if (there)
         ::unlink(path.c_str()); // left behind by a process that was killed
 
     auto fd = make_socket();
@@ -100,12 +104,14 @@ SocketListener::~SocketListener()
         ::unlink(path_.c_str());
 }
 
-std::unique_ptr<SocketPort> SocketListener::accept() noexcept
+Result<std::unique_ptr<SocketPort>> SocketListener::accept()
 {
     UniqueFd fd(::accept4(fd_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-    if (!fd)
+    if (fd)
+        return std::make_unique<SocketPort>(std::move(fd));
+    if (errno == EAGAIN || errno == ECONNABORTED || errno == EINTR)
         return nullptr;
-    return std::make_unique<SocketPort>(std::move(fd));
+    return fail(errno_error(ErrorKind::Unavailable, "accept a client at", path_));
 }
 
 } // namespace raymarch::drivers

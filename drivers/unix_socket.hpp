@@ -49,8 +49,9 @@ class SocketListener
     ~SocketListener();
 
     [[nodiscard]] int fd() const noexcept { return fd_.get(); }
-    /// The next waiting client; nullptr when there is none.
-    [[nodiscard]] std::unique_ptr<SocketPort> accept() noexcept;
+    /// The next waiting client; nullptr when there is none. Errors: Unavailable, when one waits
+    /// that cannot be taken (no descriptor is left).
+    [[nodiscard]] Result<std::unique_ptr<SocketPort>> accept();
 
   private:
     SocketListener(UniqueFd fd, std::string path) noexcept

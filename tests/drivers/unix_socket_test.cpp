@@ -35,7 +35,7 @@ TEST_F(Socket, BytesGoBothWays)
     EXPECT_EQ(listener->accept(), nullptr); // nobody yet, and it does not wait
     const auto client = SocketPort::connect(path);
     ASSERT_TRUE(client) << client.error().message;
-    const auto server = listener->accept();
+    const auto server = listener->accept().value();
     ASSERT_NE(server, nullptr);
 
     std::array<char, 16> bytes{};
@@ -54,7 +54,7 @@ TEST_F(Socket, AClientThatLeavesIsGone)
     ASSERT_TRUE(listener);
     auto client = SocketPort::connect(path);
     ASSERT_TRUE(client);
-    const auto server = listener->accept();
+    const auto server = listener->accept().value();
     ASSERT_NE(server, nullptr);
     client->reset();
     std::array<char, 16> bytes{};
@@ -68,7 +68,7 @@ TEST_F(Socket, AClientThatDoesNotReadFillsUp)
     ASSERT_TRUE(listener);
     const auto client = SocketPort::connect(path);
     ASSERT_TRUE(client);
-    const auto server = listener->accept();
+    const auto server = listener->accept().value();
     ASSERT_NE(server, nullptr);
     const std::string much(1 << 16, 'x');
     for (int i = 0; server->write(much) > 0; ++i)
