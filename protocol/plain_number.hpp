@@ -92,7 +92,7 @@ inline Digits digits_of_eight(const char* bytes) noexcept
     std::size_t at = negative || text[0] == '+' ? 1 : 0;
     const std::size_t integer_begin = at;
     std::uint64_t significand = 0;
-    for (; detail::is_digit(text[at]) && at < integer_begin + most_integer_digits; ++at)
+    for (; at < integer_begin + most_integer_digits && detail::is_digit(text[at]); ++at)
         significand = significand * 10 + static_cast<std::uint64_t>(text[at] - '0');
     if (at == integer_begin || text[at] != '.')
         return 0;
