@@ -78,7 +78,7 @@ Result<void> App::run()
     sd_notify(0, "READY=1");
     log::notice("ready: {}", config_.accelerator->name);
 
-    const auto result = loop_.run();
+    auto result = loop_.run();
     sd_notify(0, "STOPPING=1");
     if (store_ && (persist_waits_ || store_->behind()))
         static_cast<void>(store_->write_now(persisted_)); // a failure has been logged

@@ -55,6 +55,26 @@ namespace detail
     return c >= '0' && c <= '9';
 }
 
+/// `[eE] [+-]? digits{1,3}`, all of it.
+[[nodiscard]] constexpr std::optional<int> parse_exponent(std::string_view text) noexcept
+{
+    if (text[0] != 'e' && text[0] != 'E')
+        return std::nullopt;
+    text.remove_prefix(1);
+    const bool negative = text.starts_with('-');
+    if (negative || text.starts_with('+'))
+        text.remove_prefix(1);
+    if (text.empty() || text.size() > 3)
+        return std::nullopt;
+    int exponent = 0;
+    for (const char c : text) {
+        if (!is_digit(c))
+            return std::nullopt;
+        exponent = exponent * 10 + (c - '0');
+    }
+    return negative ? -exponent : exponent;
+}
+
 /// An unsigned integer wide enough for 32 digits shifted by 65 bits: 107 + 65 bits.
 /// 32-bit limbs, least significant first, so that a 32-bit core needs nothing wider than 64 bits.
 class Wide
@@ -136,22 +156,10 @@ constexpr std::optional<Decimal> parse_decimal(std::string_view text) noexcept
         return std::nullopt;
 
     if (at < text.size()) {
-        if (text[at] != 'e' && text[at] != 'E')
+        const std::optional<int> exponent = detail::parse_exponent(text.substr(at));
+        if (!exponent)
             return std::nullopt;
-        ++at;
-        bool negative_exponent = false;
-        if (at < text.size() && (text[at] == '+' || text[at] == '-'))
-            negative_exponent = text[at++] == '-';
-        const std::size_t exponent_digits = text.size() - at;
-        if (exponent_digits < 1 || exponent_digits > 3)
-            return std::nullopt;
-        int exponent = 0;
-        for (; at < text.size(); ++at) {
-            if (!is_digit(text[at]))
-                return std::nullopt;
-            exponent = exponent * 10 + (text[at] - '0');
-        }
-        point += negative_exponent ? -exponent : exponent;
+        point += *exponent;
     }
 
     while (value.count > 0 && value.digits[value.count - 1U] == 0)
