@@ -62,13 +62,15 @@ class Fixed
 
     [[nodiscard]] friend constexpr Fixed operator+(Fixed a, Fixed b) noexcept
     {
-        return settle(sum(a.raw_, b.raw_), a.raw_ < 0,
-                      __builtin_add_overflow_p(a.raw_, b.raw_, Raw{}));
+        Raw raw = 0; // wraps when the storage overflows
+        const bool overflowed = __builtin_add_overflow(a.raw_, b.raw_, &raw);
+        return settle(raw, a.raw_ < 0, overflowed);
     }
     [[nodiscard]] friend constexpr Fixed operator-(Fixed a, Fixed b) noexcept
     {
-        return settle(difference(a.raw_, b.raw_), is_signed ? a.raw_ < 0 : true,
-                      __builtin_sub_overflow_p(a.raw_, b.raw_, Raw{}));
+        Raw raw = 0;
+        const bool overflowed = __builtin_sub_overflow(a.raw_, b.raw_, &raw);
+        return settle(raw, is_signed ? a.raw_ < 0 : true, overflowed);
     }
     [[nodiscard]] friend constexpr Fixed operator-(Fixed a) noexcept { return Fixed{} - a; }
     [[nodiscard]] friend constexpr auto operator<=>(Fixed a, Fixed b) noexcept = default;
@@ -80,14 +82,6 @@ class Fixed
     {
         constexpr int spare = std::numeric_limits<Unsigned>::digits - width;
         return static_cast<Raw>(static_cast<Raw>(static_cast<Unsigned>(raw) << spare) >> spare);
-    }
-    static constexpr Raw sum(Raw a, Raw b) noexcept
-    {
-        return static_cast<Raw>(static_cast<Unsigned>(a) + static_cast<Unsigned>(b));
-    }
-    static constexpr Raw difference(Raw a, Raw b) noexcept
-    {
-        return static_cast<Raw>(static_cast<Unsigned>(a) - static_cast<Unsigned>(b));
     }
     /// `raw` is the exact result unless the storage itself overflowed.
     static constexpr Fixed settle(Raw raw, bool overflows_downwards,
