@@ -130,7 +130,7 @@ char** complete(const char* text, int start, int /*end*/)
     candidates = words_for(rl_line_buffer, static_cast<std::size_t>(start));
     rl_attempted_completion_over = 1; // never file names
     const bool pair = !candidates.empty() && candidates.back().ends_with('=');
-    rl_completion_append_character = pair ? '\0' : ' ';
+    rl_completion_append_character = pair ? 0 : 0x20; // nothing behind `KEY=`, else a space
     return rl_completion_matches(text, next_match);
 }
 

@@ -18,6 +18,7 @@ int report(const Error& error)
 
 } // namespace raymarch::console
 
+// Before its try blocks only a lack of memory throws. NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv)
 {
     namespace console = raymarch::console;

@@ -126,7 +126,7 @@ int watch(const WatchOptions& options)
         now->insert(now->end(), parameters->begin(), parameters->end());
         if (const std::string news = changes(before, *now); !news.empty()) {
             fmt::print("{:%H:%M:%S}{}\n", fmt::localtime(std::time(nullptr)), news);
-            std::fflush(stdout);
+            static_cast<void>(std::fflush(stdout)); // main reports what could not be written
         }
         before = std::move(*now);
     }
