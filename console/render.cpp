@@ -141,7 +141,7 @@ Result<void> render(const Options& options)
     if (!words)
         return fail(words.error());
     engine::Image image(*size);
-    engine::draw(engine::model_of(description), *words, image, options.threads);
+    engine::draw_still(engine::model_of(description), *words, image, options.threads);
     return write_picture(image, options.output);
 }
 

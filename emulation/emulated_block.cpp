@@ -193,11 +193,14 @@ void EmulatedBlock::work(const std::stop_token& stop)
         const protocol::Words latched = words_;
         latch_ = false;
         status_ |= status::busy;
+        const std::uint32_t number = frames_;
 
         lock.unlock();
-        const std::uint64_t cycles = engine::draw(model_, latched, image, options_.threads, stop);
+        const auto costs = engine::draw(model_, latched, image, options_.threads, number, stop);
         if (stop.stop_requested())
             return;
+        const std::uint64_t cycles =
+            engine::frame_cycles(model_, latched, options_.size, number, costs);
         if (sink_)
             sink_(image);
         lock.lock();

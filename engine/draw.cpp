@@ -4,27 +4,25 @@
 #include <algorithm>
 #include <atomic>
 #include <thread>
-#include <vector>
+#include <utility>
 
 namespace raymarch::engine
 {
 
-std::uint64_t draw(const Model& model, std::span<const std::uint32_t> words, Image& image,
-                   unsigned threads, const std::stop_token& stop)
+std::vector<PixelCost> draw(const Model& model, WordSpan words, Image& image, unsigned threads,
+                            std::uint32_t frame, const std::stop_token& stop)
 {
     if (threads == 0)
         threads = std::max(1U, std::thread::hardware_concurrency());
+    const PictureSize size = image.size;
+    std::vector<PixelCost> costs(std::size_t{size.width} * size.height);
     std::atomic<unsigned> next_row = 0;
-    std::atomic<std::uint64_t> unit_cycles = 0;
 
     // Rows differ in cost, so each thread takes the next one that is free.
     const auto work = [&] {
-        std::uint64_t cycles = 0;
-        for (unsigned y = next_row++; y < image.size.height && !stop.stop_requested();
-             y = next_row++)
-            cycles +=
-                model.draw_row(words, {image.size, static_cast<std::uint16_t>(y)}, image.row(y));
-        unit_cycles += cycles;
+        for (unsigned y = next_row++; y < size.height && !stop.stop_requested(); y = next_row++)
+            model.draw_row(words, {size, static_cast<std::uint16_t>(y), frame}, image.row(y),
+                           std::span(costs).subspan(std::size_t{y} * size.width, size.width));
     };
     {
         std::vector<std::jthread> others;
@@ -32,8 +30,27 @@ std::uint64_t draw(const Model& model, std::span<const std::uint32_t> words, Ima
             others.emplace_back(work);
         work();
     }
-    const std::uint64_t units = model.description->ray_units;
-    return (unit_cycles + units - 1) / units;
+    if (model.finish != nullptr && !stop.stop_requested())
+        model.finish(words, image, costs);
+    return costs;
+}
+
+void draw_still(const Model& model, WordSpan words, Image& image, unsigned threads)
+{
+    const unsigned frames = model.frames_of_a_still == nullptr ? 1 : model.frames_of_a_still(words);
+    Image other(frames > 1 ? image.size : PictureSize{});
+    for (unsigned frame = 0; frame < frames; ++frame) {
+        if (frame > 0)
+            std::swap(image, other);
+        draw(model, words, image, threads, frame);
+    }
+}
+
+std::uint64_t frame_cycles(const Model& model, WordSpan words, PictureSize size,
+                           std::uint32_t frame, std::span<const PixelCost> costs)
+{
+    const auto last = static_cast<std::uint16_t>(size.height - 1);
+    return model.frame_cycles(words, {size, last, frame}, costs, model.description->ray_units);
 }
 
 } // namespace raymarch::engine

@@ -8,14 +8,23 @@
 #include <cstdint>
 #include <span>
 #include <stop_token>
+#include <vector>
 
 namespace raymarch::engine
 {
 
 /// Draws every row of `image`. `threads` from 1; 0 means one for each processor. When a stop is
 /// requested the picture is left unfinished, at the latest one row a thread later.
-/// Returns the clock cycles of the frame: those of all rows shared out among the ray units.
-std::uint64_t draw(const Model& model, std::span<const std::uint32_t> words, Image& image,
-                   unsigned threads, const std::stop_token& stop = {});
+/// `frame` is the number of frames before it, see RowOf. Returns what each pixel costs.
+std::vector<PixelCost> draw(const Model& model, WordSpan words, Image& image, unsigned threads,
+                            std::uint32_t frame = 0, const std::stop_token& stop = {});
+
+/// Draws as many frames as a still of these words takes, from number 0 on, into two buffers that
+/// take turns as the hardware's do, and leaves the last in `image`, which begins black.
+void draw_still(const Model& model, WordSpan words, Image& image, unsigned threads);
+
+/// The clock cycles of a frame on the accelerator's own number of ray units.
+[[nodiscard]] std::uint64_t frame_cycles(const Model& model, WordSpan words, PictureSize size,
+                                         std::uint32_t frame, std::span<const PixelCost> costs);
 
 } // namespace raymarch::engine

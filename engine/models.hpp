@@ -13,7 +13,7 @@ namespace raymarch::engine
 {
 
 inline constexpr std::array models = {
-    Model{&protocol::marcher::description, marcher::draw_row},
+    Model{&protocol::marcher::description, marcher::draw_row, marcher::frame_cycles},
 };
 
 /// The model of a description that stands in protocol::accelerators.

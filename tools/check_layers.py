@@ -15,6 +15,7 @@ LAYERS: dict[str, set[str]] = {
     "protocol": {"base"},
     "drivers": {"base"},
     "engine": {"base", "protocol"},
+    "motion": {"base", "engine", "protocol"},
     "pictures": {"base", "engine"},
     "emulation": {"base", "drivers", "engine", "protocol"},
     "conformance": {"base", "protocol"},

@@ -12,16 +12,15 @@
 namespace raymarch::engine::marcher
 {
 
-std::uint64_t draw_row(std::span<const std::uint32_t> words, RowOf row,
-                       std::span<std::uint8_t> pixels) noexcept
+void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
+              std::span<PixelCost> costs) noexcept
 {
     const Frame frame = latch(words);
     const SceneRow& scene = scene_row(frame.scene);
-    std::uint64_t queries = 0;
     for (std::uint16_t x = 0; x < row.size.width; ++x) {
         const Point direction = ray_direction(frame, row.size, x, row.y);
         const March ray = march(frame.eye, direction, scene.distance);
-        queries += static_cast<std::uint64_t>(ray.queries);
+        costs[x] = {.steps = static_cast<std::uint32_t>(ray.queries), .rays = 1};
         std::array<std::uint8_t, 3> colour{}; // a miss is black
         if (ray.hit) {
             const Point normal = surface_normal(ray.point, scene.distance);
@@ -30,7 +29,15 @@ std::uint64_t draw_row(std::span<const std::uint32_t> words, RowOf row,
         }
         std::ranges::copy(colour, pixels.begin() + std::ptrdiff_t{x} * 3);
     }
-    return queries * scene.clock_cycles;
+}
+
+std::uint64_t frame_cycles(WordSpan words, RowOf /*last_row*/, std::span<const PixelCost> costs,
+                           unsigned units) noexcept
+{
+    std::uint64_t queries = 0;
+    for (const PixelCost& cost : costs)
+        queries += cost.steps;
+    return (queries * scene_row(latch(words).scene).clock_cycles + units - 1) / units;
 }
 
 } // namespace raymarch::engine::marcher

@@ -11,8 +11,12 @@
 namespace raymarch::engine::marcher
 {
 
-/// See Model::draw_row. The cycles are those of the scene queries (source 000, Table 7).
-std::uint64_t draw_row(std::span<const std::uint32_t> words, RowOf row,
-                       std::span<std::uint8_t> pixels) noexcept;
+/// See Model. A step is one scene query.
+void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
+              std::span<PixelCost> costs) noexcept;
+
+/// See Model: the scene queries' cycles (source 000, Table 7), shared out among the units.
+std::uint64_t frame_cycles(WordSpan words, RowOf last_row, std::span<const PixelCost> costs,
+                           unsigned units) noexcept;
 
 } // namespace raymarch::engine::marcher

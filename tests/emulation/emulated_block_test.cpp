@@ -184,7 +184,8 @@ TEST_F(Block, CyclesAreThoseOfTheModel)
     write(Register::Commit, 1);
     static_cast<void>(take_interrupt());
     engine::Image image(size);
-    EXPECT_EQ(read(Register::Cycles), draw(model, cube_words(), image, 1));
+    const auto costs = draw(model, cube_words(), image, 1);
+    EXPECT_EQ(read(Register::Cycles), engine::frame_cycles(model, cube_words(), size, 0, costs));
 }
 
 TEST_F(Block, ACommitWaitsForTheFrameThatIsBeingDrawn)

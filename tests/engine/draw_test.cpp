@@ -31,11 +31,11 @@ TEST(Draw, TheSameBytesForAnyNumberOfThreads)
     for (const protocol::Preset& preset : table::presets) {
         const protocol::Words words = words_of(preset.settings);
         Image expected({31, 23});
-        const std::uint64_t cycles = draw(models[0], words, expected, 1);
-        EXPECT_GT(cycles, 0U) << preset.name;
+        const std::vector<PixelCost> costs = draw(models[0], words, expected, 1);
+        EXPECT_TRUE(std::ranges::all_of(costs, [](PixelCost cost) { return cost.steps > 0; }));
         for (const unsigned threads : {2U, 3U, 5U, 0U}) {
             Image image({31, 23});
-            EXPECT_EQ(draw(models[0], words, image, threads), cycles) << preset.name;
+            EXPECT_EQ(draw(models[0], words, image, threads), costs) << preset.name;
             EXPECT_EQ(image.rgb, expected.rgb) << preset.name << " by " << threads;
         }
     }
@@ -56,7 +56,9 @@ TEST(Draw, CyclesAreSharedOutAmongTheRayUnits)
     // A camera inside the sphere: each ray hits at its first query, 5 cycles; 6 rays by 4
     // units: 7.5.
     Image image({3, 2});
-    EXPECT_EQ(draw(models[0], words_of("ZM=0"), image, 1), 8U);
+    const protocol::Words words = words_of("ZM=0");
+    const std::vector<PixelCost> costs = draw(models[0], words, image, 1);
+    EXPECT_EQ(frame_cycles(models[0], words, image.size, 0, costs), 8U);
 }
 
 TEST(Draw, ASphereFillsTheMiddleAndNotTheCorners)
@@ -74,7 +76,8 @@ TEST(Draw, AStopLeavesThePictureUnfinished)
     std::stop_source stop;
     stop.request_stop();
     Image image({8, 6});
-    EXPECT_EQ(draw(models[0], words_of("ZM=0"), image, 2, stop.get_token()), 0U);
+    EXPECT_EQ(draw(models[0], words_of("ZM=0"), image, 2, 0, stop.get_token()),
+              std::vector<PixelCost>(48));
     EXPECT_EQ(image.rgb, Image({8, 6}).rgb);
 }
 
