@@ -25,6 +25,15 @@ inline constexpr const Accelerator& default_accelerator = *accelerators[0];
     return nullptr;
 }
 
+/// Where a description stands in the registry.
+[[nodiscard]] constexpr std::size_t position_of(const Accelerator& description) noexcept
+{
+    std::size_t position = 0;
+    while (position + 1 < accelerators.size() && accelerators[position] != &description)
+        ++position;
+    return position;
+}
+
 /// The description of CAPABILITY's kind, or nullptr.
 [[nodiscard]] constexpr const Accelerator* find_accelerator(std::uint8_t kind) noexcept
 {

@@ -45,6 +45,7 @@ struct CommandRow
     Effect effect;
     std::string_view arguments; ///< as HELP prints them; GROUP stands for the table's groups
     std::string_view summary;
+    Effect bare = Effect::Writes; ///< of a command that writes: what it does without words
 };
 
 // Laid out by hand: one row a command.
@@ -58,10 +59,10 @@ inline constexpr std::array commands = {
     CommandRow{CommandId::Reset,       "RESET",       Arity::Optional, Effect::Writes, "[GROUP]",        "back to the defaults, all or one group"},
     CommandRow{CommandId::Random,      "RANDOM",      Arity::Optional, Effect::Writes, "[GROUP]",        "values drawn inside the ranges, all or one group"},
     CommandRow{CommandId::Status,      "STATUS",      Arity::None,     Effect::Reads,  "",               "state of the service and the hardware, key=value"},
-    CommandRow{CommandId::Preset,      "PRESET",      Arity::Optional, Effect::Writes, "[NAME]",         "applies a view worth looking at; without a name lists them"},
+    CommandRow{CommandId::Preset,      "PRESET",      Arity::Optional, Effect::Writes, "[NAME]",         "applies a view worth looking at; without a name lists them", Effect::Reads},
     CommandRow{CommandId::Save,        "SAVE",        Arity::None,     Effect::Reads,  "",               "persists the present values now"},
     CommandRow{CommandId::Load,        "LOAD",        Arity::None,     Effect::Writes, "",               "returns to the values that were persisted"},
-    CommandRow{CommandId::Accelerator, "ACCELERATOR", Arity::None,     Effect::Reads,  "",               "which accelerator is active"},
+    CommandRow{CommandId::Accelerator, "ACCELERATOR", Arity::Optional, Effect::Writes, "[NAME]",         "which accelerator is active; with a name switches, where the block is emulated", Effect::Reads},
     CommandRow{CommandId::Echo,        "ECHO",        Arity::Required, Effect::Reads,  "on|off",         "echoes typed characters with backspace editing, for a person at a terminal"},
     CommandRow{CommandId::Version,     "VERSION",     Arity::None,     Effect::Reads,  "",               "version of the service and of the protocol"},
     CommandRow{CommandId::Ping,        "PING",        Arity::None,     Effect::Reads,  "",               "answers OK"},

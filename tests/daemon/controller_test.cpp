@@ -173,7 +173,7 @@ TEST(Controller, RestoringNeedsNoLine)
     EXPECT_FALSE(service.controller.restore(state));
     EXPECT_EQ(service.controller.state(), state); // kept for a board that comes later
     service.board.outcome = Applied::Written;
-    service.controller.board_is_back();
+    service.controller.board_is_back(protocol::default_accelerator);
     EXPECT_EQ(service.board.words, protocol::pack(protocol::marcher::description, state));
 }
 
