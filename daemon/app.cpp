@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <random>
+#include <utility>
 
 namespace raymarch::daemon
 {
@@ -52,11 +53,17 @@ App::App(Config config, Reload reload, EventLoop& loop)
     , config_(std::move(config))
     , reload_(std::move(reload))
     , persist_timer_(loop.add_timer([this] { persist(); }))
+    , animate_timer_(loop.add_timer([this] { animate(); }))
     , hardware_(config_, loop, [this] { controller_.board_is_back(hardware_.accelerator()); })
     , controller_(*config_.accelerator, policy_of(config_), hardware_, *this, *this, random_seed())
     , retry_serial_(loop.add_timer([this] { open_serial(); }))
     , retry_control_(loop.add_timer([this] { open_control(); }))
 {
+    controller_.on_animate([this](unsigned rate) {
+        const bool running = std::exchange(animate_rate_, rate) > 0;
+        if (rate > 0 && !running)
+            animate_timer_->arm(std::chrono::milliseconds{0});
+    });
     if (!config_.state.empty())
         store_.emplace(config_.state);
 }
@@ -219,6 +226,16 @@ void App::accept_client()
 }
 
 // --- the rest ---
+
+/// Armed again from now, not from when it was due: a picture that takes longer than a step slows
+/// the animation down and leaves time for the hosts.
+void App::animate()
+{
+    if (animate_rate_ == 0)
+        return;
+    animate_timer_->arm(std::chrono::milliseconds{1000 / animate_rate_});
+    controller_.animate();
+}
 
 void App::reload_config()
 {

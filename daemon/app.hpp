@@ -51,6 +51,7 @@ class App final : public Storage, public StatusSource
     void open_control();
     void accept_client();
     void persist();
+    void animate();
     void reload_config();
     void log_once(std::string& last, const Error& error, const char* what);
 
@@ -63,6 +64,9 @@ class App final : public Storage, public StatusSource
     PersistedStates persisted_;
     Source persist_timer_;
     bool persist_waits_ = false;
+
+    Source animate_timer_;
+    unsigned animate_rate_ = 0; ///< steps a second
 
     Hardware hardware_;
     Controller controller_; ///< borrows hardware_ and, as Storage and StatusSource, the App

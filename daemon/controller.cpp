@@ -153,6 +153,12 @@ Controller::Outcome Controller::run(const Request& request, SessionSettings& ses
         return Fault{.code = ErrorCode::Storage};
     case CommandId::Accelerator:
         return switch_accelerator(request.text);
+    case CommandId::Walk:
+        return move(read_walk(request.text));
+    case CommandId::Turn:
+        return move(read_turn(request.text));
+    case CommandId::Animate:
+        return animate_at(request.text);
     case CommandId::Echo:
         return echo(request.text, session);
     case CommandId::Version:
@@ -283,6 +289,39 @@ Controller::Outcome Controller::switch_accelerator(Text words)
     return std::nullopt;
 }
 
+Controller::Outcome Controller::move(const tl::expected<Steps, Fault>& steps)
+{
+    if (!steps)
+        return steps.error();
+    State state = state_;
+    movement_.move(*accelerator_, state, *steps);
+    return apply(state);
+}
+
+Controller::Outcome Controller::animate_at(Text words)
+{
+    const auto rate = read_animate(words);
+    if (!rate)
+        return rate.error();
+    rate_ = *rate;
+    if (pace_)
+        pace_(rate_);
+    ok();
+    return std::nullopt;
+}
+
+void Controller::animate()
+{
+    if (locked_)
+        return;
+    State state = state_;
+    movement_.move(*accelerator_, state, {.inputs = motion::Input::Animate});
+    if (state == state_)
+        return;
+    if (restore(state))
+        storage_.changed(*accelerator_, state);
+}
+
 Controller::Outcome Controller::echo(Text words, SessionSettings& session)
 {
     constexpr std::string_view allowed = "ECHO takes on or off";
@@ -318,8 +357,8 @@ void Controller::status()
         rejected += count;
     reply_ << "OK accelerator=" << accelerator_->name;
     status_.write_status(reply_);
-    reply_ << " locked=" << (locked_ ? "on" : "off") << " applied=" << applied_
-           << " rejected=" << rejected;
+    reply_ << " animate=" << std::uint64_t{rate_} << " locked=" << (locked_ ? "on" : "off")
+           << " applied=" << applied_ << " rejected=" << rejected;
     for (const ErrorRow& row : errors)
         if (const std::uint64_t count = rejected_[static_cast<std::size_t>(row.code)]; count > 0)
             reply_ << " rejected." << row.name << '=' << count;

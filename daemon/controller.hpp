@@ -7,6 +7,7 @@
 #pragma once
 
 #include "daemon/config.hpp"
+#include "daemon/movement.hpp"
 #include "daemon/register_path.hpp"
 #include "protocol/line_reader.hpp"
 #include "protocol/registers.hpp"
@@ -15,6 +16,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <random>
 #include <string_view>
 
@@ -87,6 +90,11 @@ class Controller
     /// it is another accelerator than before, those that it had last.
     void board_is_back(const protocol::Accelerator& accelerator);
 
+    /// Called with the steps a second that ANIMATE asks for; 0: none.
+    void on_animate(std::function<void(unsigned)> pace) { pace_ = std::move(pace); }
+    /// One step of the animation.
+    void animate();
+
     /// A switch on the board: while locked, whatever writes is answered ERR LOCKED.
     void set_locked(bool locked) noexcept { locked_ = locked; }
 
@@ -108,6 +116,8 @@ class Controller
     [[nodiscard]] Outcome get(protocol::Text words);
     [[nodiscard]] Outcome preset(protocol::Text words);
     [[nodiscard]] Outcome switch_accelerator(protocol::Text words);
+    [[nodiscard]] Outcome move(const tl::expected<Steps, protocol::Fault>& steps);
+    [[nodiscard]] Outcome animate_at(protocol::Text words);
     [[nodiscard]] Outcome echo(protocol::Text words, SessionSettings& session);
     [[nodiscard]] Outcome group(protocol::Text words, std::string_view& name) const;
     void status();
@@ -124,6 +134,9 @@ class Controller
 
     protocol::State state_;
     protocol::Words words_;
+    Movement movement_;
+    std::function<void(unsigned)> pace_;
+    unsigned rate_ = 0; ///< of the animation, steps a second
     bool locked_ = false;
     bool last_refused_ = false;
     std::uint64_t applied_ = 0;

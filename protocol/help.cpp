@@ -33,6 +33,14 @@ void write_groups(ReplyWriter& reply, const Accelerator& accelerator) noexcept
     reply.end_line();
 }
 
+void write_directions(ReplyWriter& reply, std::span<const std::string_view> directions) noexcept
+{
+    reply << "# DIRECTION is";
+    for (const std::string_view direction : directions)
+        reply << ' ' << direction;
+    reply.end_line();
+}
+
 void write_accelerators(ReplyWriter& reply) noexcept
 {
     for (const Accelerator* accelerator : accelerators) {
@@ -74,6 +82,10 @@ bool write_help(ReplyWriter& reply, const Accelerator& accelerator, std::string_
         write_command(reply, *row);
         if (row->arguments.find("GROUP") != std::string_view::npos)
             write_groups(reply, accelerator);
+        if (row->id == CommandId::Walk)
+            write_directions(reply, walk_directions);
+        if (row->id == CommandId::Turn)
+            write_directions(reply, turn_directions);
         if (row->id == CommandId::Accelerator)
             write_accelerators(reply);
         return true;

@@ -182,7 +182,7 @@ TEST(Controller, StatusCountsRefusalsByCode)
     Service service;
     static_cast<void>(service.say("NOPE\nNOPE\nFX=2\nSET ZM=4\n"));
     EXPECT_EQ(service.say("STATUS\n"),
-              "OK accelerator=marcher serial=up locked=off applied=1 rejected=3 rejected.RANGE=1 "
+              "OK accelerator=marcher serial=up animate=0 locked=off applied=1 rejected=3 rejected.RANGE=1 "
               "rejected.UNKNOWN_COMMAND=2\r\n");
 }
 
