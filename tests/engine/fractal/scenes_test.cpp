@@ -55,11 +55,13 @@ TEST(Scenes, MengerByHand)
 
 TEST(Scenes, TheLargestCellsOfTheSpongeLoseABit)
 {
-    // With 0.45 from the middle in x and y the first term decides; it does not see the last bit.
-    const Point p = {word(65536 + 29492), word(65536 + 29492), word(65536 / 4)};
-    const Point q = {p.x + word(1), p.y + word(1), p.z};
-    EXPECT_EQ(p.x.raw() % 2, 0);
-    EXPECT_EQ(menger(p), menger(q));
+    const auto diagonal = [](std::int32_t from_middle) { // where the first term decides
+        const Number c = one + word(from_middle);
+        return menger({c, c, c});
+    };
+    EXPECT_EQ(diagonal(40'000), word(40'000 - 29'492));
+    EXPECT_EQ(diagonal(40'001), diagonal(40'000));
+    EXPECT_EQ(diagonal(40'002), word(40'002 - 29'492));
 }
 
 TEST(Scenes, MazeTiesAndZeros)

@@ -31,26 +31,46 @@ TEST(Grey, DithersOddDepthsAtOddPixels)
     }
 }
 
-// With P = 16 p: the middle of a course is at Py = n + 1/2, where |v - 1/2| is 0: in the band
-// of a tenth, which is where the joint lies.
-TEST(Brick, JointsAndBricks)
+/// Where the texture has the coordinates u (bricks) and v (courses); joints run along v = n + 1/2.
+Point textured(double u, double v)
 {
-    const auto at = [](double u, double v) { // P in units of a brick's half length and height
-        return Point{word(static_cast<std::int32_t>(u * 2 * 4096)),
-                     word(static_cast<std::int32_t>(v * 4096)), word(0)};
-    };
-    EXPECT_EQ(brick(at(0, 0), 9), 7);
-    EXPECT_EQ(brick(at(0.25, 0.25), 9), 9); // u = 0.75 in an odd course: see below
-    EXPECT_EQ(brick(at(0, 0.5), 9), 9);
+    return {word(static_cast<std::int32_t>(u * 8192)), word(static_cast<std::int32_t>(v * 4096)),
+            word(0)};
+}
+
+TEST(Brick, InACourseOfEvenNumber) // from v = 1/2 on
+{
+    EXPECT_EQ(brick(textured(0, 1), 9), 7);
+    EXPECT_EQ(brick(textured(0.3, 1), 9), 7);
+    EXPECT_EQ(brick(textured(0.45, 1), 9), 9);
+    EXPECT_EQ(brick(textured(0.55, 1), 9), 9);
+    EXPECT_EQ(brick(textured(0.7, 1), 9), 7);
+    EXPECT_EQ(brick(textured(0, 1.45), 9), 9);
+    EXPECT_EQ(brick(textured(0, 0.55), 9), 9);
+}
+
+TEST(Brick, InACourseOfOddNumberJointsAreHalfAsWide)
+{
+    EXPECT_EQ(brick(textured(0.05, 2), 9), 9);
+    EXPECT_EQ(brick(textured(0.95, 2), 9), 7); // u is 1.45 there, and not reduced to 0.45
+    EXPECT_EQ(brick(textured(0.45, 2), 9), 7);
+    EXPECT_EQ(brick(textured(0.05, 0), 9), 9); // v from -1/2 on: course -1
+}
+
+TEST(Brick, BothHorizontalAxesRunAlongACourse)
+{
+    EXPECT_EQ(brick({word(0), word(4096), word(3686)}, 9), 9); // u = 0.45 by z
+    EXPECT_EQ(brick({word(-3686), word(4096), word(0)}, 9), 9);
 }
 
 TEST(Brick, TheNearestBricksWrapToBlack)
 {
-    EXPECT_EQ(brick({}, 0), 30);
-    EXPECT_EQ(brick({}, 1), 31);
-    EXPECT_EQ(brick({}, 2), 0);
+    EXPECT_EQ(brick(textured(0, 1), 0), 30);
+    EXPECT_EQ(brick(textured(0, 1), 1), 31);
+    EXPECT_EQ(brick(textured(0, 1), 2), 0);
     const Frame frame{.texture = true};
-    EXPECT_EQ(grey(frame, hit(0), 0, 0), 0);
+    EXPECT_EQ(grey(frame, hit(0, textured(0, 1)), 0, 0), 0);
+    EXPECT_EQ(grey(frame, hit(0, textured(0.45, 1)), 0, 0), 15);
 }
 
 } // namespace
