@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "motion/fractal.hpp"
 
+#include "protocol/accelerators/fractal.hpp"
+
 namespace raymarch::motion::fractal
 {
 namespace
@@ -91,6 +93,36 @@ World step(const World& world, Inputs inputs) noexcept
     if (inputs.has(Input::Animate))
         ++next.hue;
     return next;
+}
+
+World enter(const protocol::State& state) noexcept
+{
+    namespace table = protocol::fractal;
+    const auto point = [&](protocol::ParameterIndex x, protocol::ParameterIndex y,
+                           protocol::ParameterIndex z) {
+        return Point{Number::from_raw(state.codes[x]), Number::from_raw(state.codes[y]),
+                     Number::from_raw(state.codes[z])};
+    };
+    World world;
+    world.position = world.wanted = point(table::X, table::Y, table::Z);
+    world.forward = point(table::FX, table::FY, table::FZ);
+    world.scene = static_cast<engine::fractal::Scene>(state.codes[table::SCENE]);
+    world.collision = static_cast<Collision>(state.codes[table::COLLISION]);
+    world.speed = static_cast<std::uint8_t>(state.codes[table::SPEED]);
+    world.hue = static_cast<std::uint8_t>(state.codes[table::HUE]);
+    return world;
+}
+
+void leave(const World& world, protocol::State& state) noexcept
+{
+    namespace table = protocol::fractal;
+    state.codes[table::X] = world.position.x.raw();
+    state.codes[table::Y] = world.position.y.raw();
+    state.codes[table::Z] = world.position.z.raw();
+    state.codes[table::FX] = world.forward.x.raw();
+    state.codes[table::FY] = world.forward.y.raw();
+    state.codes[table::FZ] = world.forward.z.raw();
+    state.codes[table::HUE] = world.hue;
 }
 
 } // namespace raymarch::motion::fractal

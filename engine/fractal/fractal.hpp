@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The stages composed: a frame in, a row of pixels out (docs/engine/fractal.md).
+/// The stages composed: words in, a row of pixels out (docs/engine/fractal.md).
 #pragma once
 
 #include "engine/fractal/frame.hpp"
@@ -19,5 +19,12 @@ void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
 
 /// See Model: four with the checkerboard, else one.
 [[nodiscard]] unsigned frames_of_a_still(const Frame& frame) noexcept;
+
+// The same from words, and the cycles of controller.hpp.
+void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
+              std::span<PixelCost> costs) noexcept;
+[[nodiscard]] std::uint64_t frame_cycles(WordSpan words, RowOf last_row,
+                                         std::span<const PixelCost> costs, unsigned units) noexcept;
+[[nodiscard]] unsigned frames_of_a_still(WordSpan words) noexcept;
 
 } // namespace raymarch::engine::fractal

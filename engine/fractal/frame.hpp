@@ -7,6 +7,7 @@
 #include "engine/fractal/scenes.hpp"
 
 #include <cstdint>
+#include <span>
 
 namespace raymarch::engine::fractal
 {
@@ -23,5 +24,8 @@ struct Frame
     bool colour = false;
     std::uint8_t hue = 0;
 };
+
+/// Unpacks the parameter words; every word is a frame.
+[[nodiscard]] Frame latch(std::span<const std::uint32_t> words) noexcept;
 
 } // namespace raymarch::engine::fractal

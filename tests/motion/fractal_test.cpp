@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "motion/fractal.hpp"
 
+#include "protocol/accelerators/fractal.hpp"
 #include "tests/engine/fractal/vectors.hpp"
 #include "tests/fakes/random.hpp"
 
@@ -219,10 +220,39 @@ TEST(FractalMotion, AnimateTurnsTheHue)
     EXPECT_EQ(world, World{}); // 256 ticks are an even number, and nothing else moved
 }
 
+TEST(FractalMotion, TheDefaultsAreTheStateAfterReset)
+{
+    EXPECT_EQ(enter(protocol::initial_state(protocol::fractal::description)), World{});
+}
+
+TEST(FractalMotion, LeaveWritesWhatMoved)
+{
+    namespace table = protocol::fractal;
+    protocol::State state = protocol::initial_state(table::description);
+    state.codes[table::FY] = -5;
+    state.codes[table::SCENE] = 3;
+    state.codes[table::SPEED] = 2;
+    state.codes[table::COLLISION] = 1;
+    const World world = enter(state);
+    EXPECT_EQ(world.scene, Scene::Maze);
+    EXPECT_EQ(world.collision, Collision::Closed);
+    EXPECT_EQ(world.speed, 2);
+    const World moved =
+        step(world, Inputs(Input::Forward) | Input::TurnRight | Input::Down | Input::Animate);
+    protocol::State expected = state;
+    expected.codes[table::Y] = 65536 - 512;
+    expected.codes[table::Z] = -98304 + 655;
+    expected.codes[table::FX] = 655;
+    expected.codes[table::FZ] = 65532;
+    expected.codes[table::HUE] = 1;
+    leave(moved, state);
+    EXPECT_EQ(state, expected);
+}
+
 TEST(FractalMotion, AStepOfTheHardware)
 {
-    EXPECT_EQ(clocks_of_a_step(0), 65'537U);
-    EXPECT_EQ(clocks_of_a_step(3), 262'145U);
+    EXPECT_EQ(clocks_of_a_step({}), 65'537U);
+    EXPECT_EQ(clocks_of_a_step({.speed = 3}), 262'145U);
 }
 
 // A tick is a linear map, a turn by atan(655 / 65532) that shortens by 1.1e-5, and two floored
