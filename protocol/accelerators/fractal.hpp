@@ -60,7 +60,20 @@ inline constexpr auto fields = fields_of(parameters);
 
 /// At least two views of each scene.
 inline constexpr std::array presets = {
-    Preset{"start", "where the hardware is after reset: the Menger tunnel from one of its crossings", "X=0,Y=1,Z=-1.5,FX=0,FY=0,FZ=1,SCENE=menger"},
+    Preset{"start", "where the hardware stands after reset, its Menger tunnel ahead", "X=0,Y=1,Z=-1.5,FX=0,FY=0,FZ=1,SCENE=menger,DITHER=on,TEXTURE=on"},
+    Preset{"menger_shaft", "down a straight shaft of the Menger sponge, with a wide view", "X=1,Y=1,Z=-1.75,FX=0,FY=0,FZ=0.8,SCENE=menger,DITHER=on,TEXTURE=on,COLOUR=on,HUE=18"},
+    Preset{"menger_crossing", "a crossing of three shafts, looked at from below", "X=1,Y=1,Z=-1.2,FX=0.33455,FY=-0.20791,FZ=0.91916,SCENE=menger,DITHER=on,TEXTURE=on,COLOUR=on,HUE=150"},
+    Preset{"menger_corner", "round a corner of the sponge and down", "X=0.75,Y=1,Z=0,FX=0.83652,FY=0.25882,FZ=0.48296,SCENE=menger,DITHER=on,TEXTURE=on,COLOUR=on,HUE=220"},
+    Preset{"cubes", "along a diagonal of the infinite cubes", "X=0.5,Y=0.5,Z=0.5,FX=0.57923,FY=-0.57358,FZ=0.57923,SCENE=cubes,DITHER=on,TEXTURE=on"},
+    Preset{"cubes_street", "a street between the cubes", "X=0.5,Y=0.5,Z=0.2,FX=0.26765,FY=-0.18093,FZ=1.25922,SCENE=cubes,DITHER=on,TEXTURE=on,COLOUR=on,HUE=18"},
+    Preset{"cubes_above", "the cubes from above", "X=0.5,Y=0.5,Z=0.5,FX=0.975,FY=0.65,FZ=0.56292,SCENE=cubes,DITHER=on,TEXTURE=on,COLOUR=on,HUE=60"},
+    Preset{"cube", "one cube over a corner", "X=0.9,Y=0.9,Z=-0.9,FX=-0.71959,FY=0.6359,FZ=0.71959,SCENE=cube,DITHER=on,TEXTURE=on"},
+    Preset{"cube_edge", "the cube from near one of its edges", "X=0.75,Y=0.6,Z=-0.6,FX=-0.79087,FY=0.6359,FZ=0.64043,SCENE=cube,DITHER=on,TEXTURE=on,COLOUR=on,HUE=220"},
+    Preset{"cube_side", "one side of the cube in the light, one turning away", "X=0.62,Y=0.55,Z=-0.85,FX=-0.59755,FY=0.41042,FZ=0.95629,SCENE=cube,DITHER=on,TEXTURE=on,COLOUR=on,HUE=150"},
+    Preset{"maze", "the maze from the start", "X=0,Y=1,Z=-1.5,FX=0,FY=0,FZ=1,SCENE=maze,DITHER=on,TEXTURE=on,COLOUR=on,HUE=180"},
+    Preset{"maze_pillar", "a pillar of the maze", "X=0,Y=0,Z=0,FX=0.70711,FY=0,FZ=0.70711,SCENE=maze,DITHER=on,TEXTURE=on,COLOUR=on,HUE=10"},
+    Preset{"maze_depth", "into the depth of the maze", "X=0.5,Y=0.9,Z=0.5,FX=0.10527,FY=0.35,FZ=0.59701,SCENE=maze,DITHER=on,TEXTURE=on,COLOUR=on,HUE=120"},
+    Preset{"maze_walk", "the maze at twice the frame rate, and walls that hold", "X=0,Y=1,Z=-1.5,FX=0.88623,FY=-0.24311,FZ=1.05617,SCENE=maze,DITHER=on,TEXTURE=on,CHECKER=on,COLOUR=on,HUE=220,COLLISION=closed"},
 };
 // clang-format on
 
