@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace raymarch::engine::sphere
 {
@@ -65,6 +66,9 @@ struct Frame
     std::array<Ball, max_balls> balls{{{{320, 240, 1100}, 100}}};
     std::array<Light, max_lights> lights{{{{50, 50, 1000}, 4095}}};
 };
+
+/// Unpacks the words. A FAULTS of 3, which no choice names, is corrected, and an M above 8 is 8.
+[[nodiscard]] Frame latch(std::span<const std::uint32_t> words) noexcept;
 
 /// The frame as the design's registers hold it. The hardware's have 16 bits for coordinates,
 /// radius, strength and screen distance, 10 for the calibration, 4 for the shadow: the upper bits

@@ -89,4 +89,21 @@ std::uint64_t frame_cycles(const Frame& frame, std::span<const PixelCost> costs)
     return frame.design == Design::Prototype ? steps * longest_evaluation : steps;
 }
 
+void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
+              std::span<PixelCost> costs) noexcept
+{
+    draw_row(latch(words), row, pixels, costs);
+}
+
+void finish(WordSpan words, Image& image, std::span<PixelCost> costs) noexcept
+{
+    finish(latch(words), image, costs);
+}
+
+std::uint64_t frame_cycles(WordSpan words, RowOf /*last_row*/, std::span<const PixelCost> costs,
+                           unsigned units) noexcept
+{
+    return (frame_cycles(latch(words), costs) + units - 1) / units;
+}
+
 } // namespace raymarch::engine::sphere

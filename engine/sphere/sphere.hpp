@@ -26,4 +26,11 @@ void finish(const Frame& frame, Image& image, std::span<const PixelCost> costs) 
 [[nodiscard]] std::uint64_t frame_cycles(const Frame& frame,
                                          std::span<const PixelCost> costs) noexcept;
 
+/// The same from words, as Model has it.
+void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
+              std::span<PixelCost> costs) noexcept;
+void finish(WordSpan words, Image& image, std::span<PixelCost> costs) noexcept;
+std::uint64_t frame_cycles(WordSpan words, RowOf last_row, std::span<const PixelCost> costs,
+                           unsigned units) noexcept;
+
 } // namespace raymarch::engine::sphere
