@@ -92,9 +92,16 @@ inline constexpr auto fields = fields_of(parameters);
 inline constexpr std::array presets = {
     Preset{"board", "what the board's screen shows first: one pixel late, some quotients stale", "MODEL=rtl_timed,S1.X=325"},
     Preset{"core", "the hardware's core by itself, its lit side turned away from the light", "S1.X=325"},
-    Preset{"repaired", "the same without the two slips of the ray-sphere unit", "FAULTS=repaired,S1.X=325"},
+    Preset{"core_close", "the same from close by: the slip in x bends the light's edge", "F=600,S1.Z=900,S1.R=300,L1.X=80,L1.Y=20,L1.Z=500,L1.S=16000"},
+    Preset{"repaired", "the first frame without the two slips of the ray-sphere unit", "FAULTS=repaired,S1.X=325"},
+    Preset{"shades", "sixteen shades of grey, corrected, from close by", "FAULTS=corrected,TINT=grey,F=600,S1.Z=900,S1.R=300,L1.X=80,L1.Y=20,L1.Z=500,L1.S=4000"},
     Preset{"prototype", "the C prototype's own scene", "MODEL=c,F=300,K=75,D=25,CUTOFF=25,N=2,S1.X=200,S1.Y=240,S1.Z=400,S1.R=100,S2.X=260,S2.Y=100,S2.Z=500,S2.R=50,M=2,L1.X=50,L1.Y=50,L1.Z=500,L1.S=150000,L2.X=0,L2.Y=350,L2.Z=400,L2.S=50000"},
     Preset{"prototype_demo", "the C prototype with the hardware's scene", "MODEL=c,K=75,CUTOFF=25,L1.S=60000"},
+    Preset{"overlap", "three spheres as the prototype overlaps them: the first one's colour, the last one's place", "MODEL=c,F=600,K=75,D=200,CUTOFF=25,N=3,S1.X=170,S1.Y=270,S1.Z=950,S1.R=170,S2.X=480,S2.Y=200,S2.Z=1100,S2.R=190,S3.X=340,S3.Y=360,S3.Z=760,S3.R=80,M=3,L1.X=80,L1.Y=20,L1.Z=620,L1.S=160000,L2.X=620,L2.Y=100,L2.Z=780,L2.S=110000,L3.X=300,L3.Y=250,L3.Z=600,L3.S=50000"},
+    Preset{"trio", "the same three, the nearest in front", "MODEL=c,FAULTS=corrected,F=600,K=75,D=200,CUTOFF=25,N=3,S1.X=170,S1.Y=270,S1.Z=950,S1.R=170,S2.X=480,S2.Y=200,S2.Z=1100,S2.R=190,S3.X=340,S3.Y=360,S3.Z=760,S3.R=80,M=3,L1.X=80,L1.Y=20,L1.Z=620,L1.S=160000,L2.X=620,L2.Y=100,L2.Z=780,L2.S=110000,L3.X=300,L3.Y=250,L3.Z=600,L3.S=50000"},
+    Preset{"eclipse", "a small sphere's shadow on a large one", "MODEL=c,FAULTS=corrected,F=500,K=75,D=300,CUTOFF=20,N=2,S1.X=360,S1.Y=250,S1.Z=800,S1.R=260,S2.X=250,S2.Y=150,S2.Z=450,S2.R=50,L1.X=150,L1.Y=60,L1.Z=330,L1.S=260000"},
+    Preset{"room", "inside a sphere, with two others and two lights", "MODEL=c,FAULTS=corrected,F=300,K=75,D=100,CUTOFF=10,N=3,S1.Z=200,S1.R=1200,S2.X=180,S2.Y=280,S2.Z=700,S2.R=130,S3.X=480,S3.Y=220,S3.Z=800,S3.R=150,M=2,L1.X=320,L1.Y=-300,L1.Z=300,L1.S=1500000,L2.X=700,L2.Y=600,L2.Z=200,L2.S=500000"},
+    Preset{"wide", "a screen plane close to the eye: spheres at the sides stretch", "MODEL=c,FAULTS=corrected,F=150,K=75,D=75,CUTOFF=20,N=3,S1.X=60,S1.Y=240,S1.Z=260,S1.R=120,S2.X=320,S2.Y=280,S2.Z=300,S2.R=110,S3.X=600,S3.Y=200,S3.Z=270,S3.R=120,M=2,L1.X=200,L1.Y=60,L1.Z=100,L1.S=60000,L2.X=480,L2.Y=80,L2.Z=100,L2.S=60000"},
 };
 // clang-format on
 
