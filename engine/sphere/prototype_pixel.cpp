@@ -25,17 +25,16 @@ struct Visible
 /// corrected, both are those of the nearest.
 std::optional<Visible> look(const Frame& frame, const Rules& rules, const Line& ray) noexcept
 {
+    const bool nearest = frame.faults == Faults::Corrected;
     std::optional<Visible> visible;
     for (std::size_t i = 0; i < frame.ball_count; ++i) {
         const Strike strike = intersect(rules, ray, frame.balls[i], Reach::Ray, frame.derounder);
         if (strike.end != End::Hits)
             continue;
-        if (!visible)
+        if (!visible || (nearest && strike.root < visible->strike.root))
             visible = Visible{i, strike};
-        else if (frame.faults != Faults::Corrected)
+        else if (!nearest)
             visible->strike = strike;
-        else if (strike.root < visible->strike.root)
-            visible = Visible{i, strike};
     }
     return visible;
 }
