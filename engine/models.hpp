@@ -6,6 +6,7 @@
 #include "engine/fractal/fractal.hpp"
 #include "engine/marcher/marcher.hpp"
 #include "engine/model.hpp"
+#include "engine/sphere/sphere.hpp"
 #include "protocol/accelerators.hpp"
 
 #include <array>
@@ -17,6 +18,7 @@ inline constexpr std::array models = {
     Model{&protocol::marcher::description, marcher::draw_row, marcher::frame_cycles},
     Model{&protocol::fractal::description, fractal::draw_row, fractal::frame_cycles, nullptr,
           fractal::frames_of_a_still},
+    Model{&protocol::sphere::description, sphere::draw_row, sphere::frame_cycles, sphere::finish},
 };
 
 /// The model of a description that stands in protocol::accelerators.

@@ -5,6 +5,7 @@
 
 #include "protocol/accelerators/fractal.hpp"
 #include "protocol/accelerators/marcher.hpp"
+#include "protocol/accelerators/sphere.hpp"
 #include "protocol/parameters.hpp"
 
 namespace raymarch::protocol
@@ -13,6 +14,7 @@ namespace raymarch::protocol
 inline constexpr std::array accelerators = {
     &marcher::description,
     &fractal::description,
+    &sphere::description,
 };
 
 /// What is active where neither the hardware nor the user says otherwise.

@@ -212,7 +212,7 @@ struct RowKeys
         std::array<char, 16> text{};
         std::size_t size = 0;
     };
-    static consteval auto make()
+    static constexpr auto make() // not consteval: clang 14 would not take it
     {
         std::array<Text, Rows * sizeof...(Columns)> keys{};
         const std::array<std::string_view, sizeof...(Columns)> names = {Columns.view()...};
