@@ -10,11 +10,12 @@ Word square_root(std::uint32_t bits) noexcept
 {
     // One binary digit a step, two bits of the argument. The unit makes 22 steps; those before the
     // argument's first bit change nothing.
+    constexpr std::uint64_t powers_of_two_only = 0xAAAA'AAAA'AAAA'AAAA; // not of four
     std::uint64_t rest = std::uint64_t{bits} << fraction_bits;
     std::uint64_t root = 0;
-    std::uint64_t digit = rest == 0 ? 0 : std::bit_floor(rest) & 0x5555'5555'5555'5555;
-    if (rest != 0 && digit == 0)
-        digit = std::bit_floor(rest) >> 1;
+    std::uint64_t digit = std::bit_floor(rest);
+    if ((digit & powers_of_two_only) != 0)
+        digit >>= 1;
     for (; digit != 0; digit >>= 2) {
         const std::uint64_t trial = root + digit;
         root >>= 1;
