@@ -5,6 +5,7 @@
 
 #include "engine/marcher/marcher.hpp"
 #include "engine/model.hpp"
+#include "engine/whitted/whitted.hpp"
 #include "protocol/accelerators.hpp"
 
 #include <array>
@@ -14,6 +15,7 @@ namespace raymarch::engine
 
 inline constexpr std::array models = {
     Model{&protocol::marcher::description, marcher::draw_row, marcher::frame_cycles},
+    Model{&protocol::whitted::description, whitted::draw_row, whitted::frame_cycles},
 };
 
 /// The model of a description that stands in protocol::accelerators.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "protocol/accelerators/marcher.hpp"
+#include "protocol/accelerators/whitted.hpp"
 #include "protocol/parameters.hpp"
 
 namespace raymarch::protocol
@@ -11,6 +12,7 @@ namespace raymarch::protocol
 
 inline constexpr std::array accelerators = {
     &marcher::description,
+    &whitted::description,
 };
 
 /// What is active where neither the hardware nor the user says otherwise.

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace raymarch::engine::whitted
 {
@@ -67,5 +68,9 @@ struct Frame
 
 /// The light as a sphere: white, without reflection. The hardware makes it, whatever was sent.
 [[nodiscard]] Sphere make_light(const Vector& centre, std::uint16_t radius) noexcept;
+
+/// Unpacks the words. Those that no frame can set count as what is nearest to them: no sphere or
+/// 15 of them as 1 or 14, a radius of 0 as 1, both anti-aliasing bits as 8x.
+[[nodiscard]] Frame latch(std::span<const std::uint32_t> words) noexcept;
 
 } // namespace raymarch::engine::whitted

@@ -9,6 +9,18 @@
 namespace raymarch::engine::whitted
 {
 
+void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
+              std::span<PixelCost> costs) noexcept
+{
+    draw_row(latch(words), row.size, row.y, pixels, costs);
+}
+
+std::uint64_t frame_cycles(WordSpan words, RowOf last_row, std::span<const PixelCost> costs,
+                           unsigned units) noexcept
+{
+    return (frame_cost(latch(words), last_row.size, costs).cycles + units - 1) / units;
+}
+
 void draw_row(const Frame& frame, PictureSize size, unsigned y, std::span<std::uint8_t> pixels,
               std::span<PixelCost> costs) noexcept
 {

@@ -12,7 +12,15 @@
 namespace raymarch::engine::whitted
 {
 
-/// Row `y` of the picture, see Model. A step is a clock cycle.
+/// See Model. A step is a clock cycle.
+void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
+              std::span<PixelCost> costs) noexcept;
+
+/// See Model. The machine has one ray unit; more would share the pixels out evenly.
+std::uint64_t frame_cycles(WordSpan words, RowOf last_row, std::span<const PixelCost> costs,
+                           unsigned units) noexcept;
+
+/// Row `y` of the picture of a frame.
 void draw_row(const Frame& frame, PictureSize size, unsigned y, std::span<std::uint8_t> pixels,
               std::span<PixelCost> costs) noexcept;
 
