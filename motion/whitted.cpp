@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "motion/whitted.hpp"
 
+#include "protocol/accelerators/whitted.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -166,6 +168,57 @@ float direction(Inputs inputs, Input forth, Input back) noexcept
            static_cast<float>(inputs.has(back) ? 1 : 0);
 }
 
+namespace table = protocol::whitted;
+namespace sphere = table::sphere;
+
+float value_of(const protocol::State& state, std::size_t index) noexcept
+{
+    return std::ldexp(static_cast<float>(state.codes[index]),
+                      -table::parameters[index].format.fraction_bits);
+}
+
+void set_value(protocol::State& state, std::size_t index, float value) noexcept
+{
+    const protocol::Parameter& parameter = table::parameters[index];
+    const auto least = static_cast<float>(parameter.min_scaled);
+    const auto most = static_cast<float>(parameter.max_scaled);
+    const float code = std::ldexp(value, parameter.format.fraction_bits);
+    state.codes[index] = static_cast<std::int64_t>(std::clamp(code, least, most));
+}
+
+/// Three values of a state, by their indices.
+struct PointOf
+{
+    std::size_t x, y, z;
+
+    [[nodiscard]] Point get(const protocol::State& state) const noexcept
+    {
+        return {value_of(state, x), value_of(state, y), value_of(state, z)};
+    }
+    void set(protocol::State& state, const Point& p) const noexcept
+    {
+        set_value(state, x, p.x);
+        set_value(state, y, p.y);
+        set_value(state, z, p.z);
+    }
+};
+
+constexpr PointOf eye{table::EX, table::EY, table::EZ};
+constexpr PointOf low_walls{table::XMIN, table::YMIN, table::ZMIN};
+constexpr PointOf high_walls{table::XMAX, table::YMAX, table::ZMAX};
+
+PointOf centre(std::size_t ball) noexcept
+{
+    return {table::index_of(sphere::X, ball), table::index_of(sphere::Y, ball),
+            table::index_of(sphere::Z, ball)};
+}
+
+PointOf velocity(std::size_t ball) noexcept
+{
+    return {table::index_of(sphere::VX, ball), table::index_of(sphere::VY, ball),
+            table::index_of(sphere::VZ, ball)};
+}
+
 } // namespace
 
 World step(const World& world, Inputs inputs) noexcept
@@ -182,6 +235,30 @@ World step(const World& world, Inputs inputs) noexcept
     next.screen = std::max(
         next.screen + screen_step * direction(inputs, Input::Narrow, Input::Widen), screen_step);
     return next;
+}
+
+World enter(const protocol::State& state) noexcept
+{
+    World world{.count = static_cast<std::size_t>(state.codes[table::N]),
+                .eye = eye.get(state),
+                .screen = value_of(state, table::S),
+                .box = {.low = low_walls.get(state), .high = high_walls.get(state)},
+                .rules = static_cast<Rules>(state.codes[table::MOTION])};
+    for (std::size_t i = 0; i < world.count; ++i)
+        world.balls[i] = {.centre = centre(i).get(state),
+                          .velocity = velocity(i).get(state),
+                          .radius = value_of(state, table::index_of(sphere::RADIUS, i))};
+    return world;
+}
+
+void leave(const World& world, protocol::State& state) noexcept
+{
+    eye.set(state, world.eye);
+    set_value(state, table::S, world.screen);
+    for (std::size_t i = 0; i < world.count; ++i) {
+        centre(i).set(state, world.balls[i].centre);
+        velocity(i).set(state, world.balls[i].velocity);
+    }
 }
 
 } // namespace raymarch::motion::whitted

@@ -8,6 +8,7 @@
 
 #include "engine/vec3.hpp"
 #include "motion/inputs.hpp"
+#include "protocol/parameters.hpp"
 
 #include <array>
 #include <cstddef>
@@ -55,5 +56,11 @@ struct World
 /// One frame: the balls move where asked, then the scene turns, then the eye and the screen move.
 /// Of two opposite inputs neither counts, and the scene turns only for one input at a time.
 [[nodiscard]] World step(const World& world, Inputs inputs) noexcept;
+
+/// The world that a state of the accelerator `whitted` describes; no ball rests.
+[[nodiscard]] World enter(const protocol::State& state) noexcept;
+
+/// Writes what a step changes into the state: truncated to the formats, held inside the ranges.
+void leave(const World& world, protocol::State& state) noexcept;
 
 } // namespace raymarch::motion::whitted

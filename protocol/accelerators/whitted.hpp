@@ -201,10 +201,83 @@ static_assert(parameters[index_of(plane::ZL, 3)].key == "P4.ZL");
 
 inline constexpr auto fields = fields_of(parameters);
 
+/// The report's second scene; the walls that it moves in are wider.
+inline constexpr std::string_view image2 =
+    "N=13,LR=2,AA=8x,XMIN=-40,XMAX=40,YMIN=-40,YMAX=40,ZMAX=40,"
+    "S1.X=0,S1.Y=0,S1.Z=5,S1.RADIUS=3,S1.R=12,S1.G=31,S1.B=20,S1.REFLECT=0.25,"
+    "S2.X=15,S2.Y=0,S2.Z=5,S2.RADIUS=3,S2.R=27,S2.G=27,S2.B=27,S2.REFLECT=0.25,"
+    "S3.X=0,S3.Y=15,S3.Z=5,S3.RADIUS=3,S3.R=0,S3.G=31,S3.B=31,S3.REFLECT=0.25,"
+    "S4.X=15,S4.Y=15,S4.Z=5,S4.RADIUS=3,S4.R=31,S4.G=31,S4.B=0,S4.REFLECT=0.25,"
+    "S5.X=0,S5.Y=21,S5.Z=21,S5.RADIUS=15,S5.R=0,S5.G=31,S5.B=0,S5.REFLECT=0.5,"
+    "S6.X=21,S6.Y=0,S6.Z=21,S6.RADIUS=15,S6.R=31,S6.G=0,S6.B=0,S6.REFLECT=0.5,"
+    "S7.X=-15,S7.Y=-15,S7.Z=5,S7.RADIUS=3,S7.R=0,S7.G=0,S7.B=31,S7.REFLECT=0.25,"
+    "S8.X=-15,S8.Y=0,S8.Z=5,S8.RADIUS=3,S8.R=15,S8.G=15,S8.B=31,S8.REFLECT=0.25,"
+    "S9.X=15,S9.Y=-15,S9.Z=5,S9.RADIUS=3,S9.R=21,S9.G=31,S9.B=31,S9.REFLECT=0.25,"
+    "S10.X=0,S10.Y=-15,S10.Z=5,S10.RADIUS=3,S10.R=15,S10.G=15,S10.B=15,S10.REFLECT=0.25,"
+    "S11.X=-15,S11.Y=15,S11.Z=5,S11.RADIUS=3,S11.R=15,S11.G=12,S11.B=12,S11.REFLECT=0.25,"
+    "S12.X=-21,S12.Y=0,S12.Z=21,S12.RADIUS=15,S12.R=15,S12.G=15,S12.B=0,S12.REFLECT=0.5,"
+    "S13.X=0,S13.Y=-21,S13.Z=21,S13.RADIUS=15,S13.R=15,S13.G=3,S13.B=12,S13.REFLECT=0.5";
+inline constexpr std::string_view without_planes = ",PLANES=off";
+
+/// Texts one behind the other.
+template <const std::string_view&... Parts>
+inline constexpr auto joined_text = [] {
+    std::array<char, (Parts.size() + ...)> text{};
+    auto at = text.begin();
+    ((at = std::copy(Parts.begin(), Parts.end(), at)), ...);
+    return text;
+}();
+template <const std::string_view&... Parts>
+[[nodiscard]] consteval std::string_view text_of()
+{
+    return {joined_text<Parts...>.data(), joined_text<Parts...>.size()};
+}
+
 // clang-format off
 // One row a preset, one line a sphere or plane.
 inline constexpr std::array presets = {
-    Preset{"image1", "the report's first scene: a green sphere with small ones around it", "LR=3,AA=8x,PLANES=off"},
+    Preset{"image1", "the report's first scene: a green sphere with small ones in it",
+           "LR=3,AA=8x,PLANES=off"},
+    Preset{"image1_room", "the first scene in the room: mirrors at three sides, a checkered floor",
+           "LR=3,AA=8x"},
+    Preset{"image2", "the report's second scene: thirteen spheres, three reflections",
+           text_of<image2, without_planes>()},
+    Preset{"image2_room", "the second scene in the room",
+           image2},
+    Preset{"fourteen", "all fourteen spheres in the room",
+           "N=14,AA=8x,LX=4,LY=-18,LZ=-14,"
+           "P2.CHECKER=2"},
+    Preset{"plate", "three mirrors on a checkered plate in the dusk",
+           "N=5,AA=8x,EX=4,EY=-10,EZ=-32,S=8,LX=-14,LY=-14,LZ=-12,"
+           "XMIN=-16,XMAX=16,YMIN=-16,YMAX=8,ZMIN=-16,ZMAX=16,"
+           "S1.X=0,S1.Y=-2,S1.Z=4,S1.RADIUS=10,S1.R=12,S1.G=12,S1.B=14,S1.REFLECT=0.75,"
+           "S2.X=-10,S2.Y=3,S2.Z=-6,S2.RADIUS=5,S2.R=20,S2.G=4,S2.B=4,S2.REFLECT=0.625,"
+           "S3.X=10,S3.Y=3,S3.Z=-6,S3.RADIUS=5,S3.R=4,S3.G=6,S3.B=20,S3.REFLECT=0.625,"
+           "S4.X=0,S4.Y=6,S4.Z=-10,S4.RADIUS=2,S4.R=31,S4.G=28,S4.B=0,S4.REFLECT=0.25,"
+           "S5.X=4,S5.Y=6,S5.Z=-13,S5.RADIUS=2,S5.R=0,S5.G=24,S5.B=8,S5.REFLECT=0.25,"
+           "P1.A=0,P1.B=0,P1.C=-1,P1.D=120,P1.RED=4,P1.GREEN=3,P1.BLUE=8,P1.CHECKER=0,P1.REFLECT=0,"
+           "P2.A=0,P2.B=-1,P2.C=0,P2.D=8,P2.RED=30,P2.GREEN=28,P2.BLUE=24,P2.CHECKER=4,P2.REFLECT=0.25,"
+           "P2.BOUNDED=on,P2.XL=20,P2.YL=64,P2.ZL=20,"
+           "P3.A=0,P3.B=0,P3.C=-1,P3.D=130,P3.RED=0,P3.GREEN=0,P3.BLUE=0,P3.CHECKER=0,P3.REFLECT=0,"
+           "P4.A=0,P4.B=0,P4.C=-1,P4.D=130,P4.RED=0,P4.GREEN=0,P4.BLUE=0,P4.CHECKER=0,P4.REFLECT=0"},
+    Preset{"mirrors", "between two mirrors: red and blue rows without an end",
+           "N=4,AA=8x,EX=-8,EY=-4,LX=0,LY=-26,LZ=0,"
+           "S1.X=-6,S1.Y=17,S1.Z=14,S1.RADIUS=5,S1.R=28,S1.G=4,S1.B=4,S1.REFLECT=0.25,"
+           "S2.X=8,S2.Y=17,S2.Z=20,S2.RADIUS=5,S2.R=4,S2.G=8,S2.B=28,S2.REFLECT=0.25,"
+           "S3.X=0,S3.Y=6,S3.Z=30,S3.RADIUS=6,S3.R=12,S3.G=12,S3.B=12,S3.REFLECT=0.75,"
+           "S4.X=12,S4.Y=19,S4.Z=2,S4.RADIUS=3,S4.R=28,S4.G=24,S4.B=2,S4.REFLECT=0.125,"
+           "P2.CHECKER=8,P2.RED=24,P2.GREEN=20,P2.BLUE=16,P2.REFLECT=0.125,"
+           "P3.RED=1,P3.GREEN=2,P3.BLUE=2,P3.REFLECT=0.875,"
+           "P4.RED=1,P4.GREEN=2,P4.BLUE=2,P4.REFLECT=0.875,"
+           "P1.RED=3,P1.GREEN=4,P1.BLUE=8,P1.REFLECT=0.25"},
+    Preset{"telescope", "the small blue sphere through a long lens: the set-up's 4096ths show",
+           "S=24,LR=3,LX=6,LY=-14,LZ=-16,AA=8x"},
+    Preset{"wide", "the room through a wide lens",
+           "N=14,S=2,AA=8x,EZ=-20,LX=4,LY=-18,LZ=-14"},
+    Preset{"measured", "the first scene in the room as the original machine draws it, with its defects",
+           "PROFILE=measured,LR=3"},
+    Preset{"best_case", "the first scene with everything switched off: what is fastest, made for 320x240",
+           "LR=3,REFLECTIONS=0,PLANES=off"},
 };
 // clang-format on
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "motion/whitted.hpp"
 
+#include "protocol/accelerators.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -304,6 +306,41 @@ TEST(WhittedMotion, OnlyOneTurnAtATime)
     const World world = with_balls({{.centre = {1, 2, 3}}});
     EXPECT_EQ(step(world, both(Input::TurnLeft, Input::TurnRight)), world);
     EXPECT_EQ(step(world, both(Input::TurnLeft, Input::RollLeft)), world);
+}
+
+namespace table = protocol::whitted;
+
+TEST(WhittedMotion, AStateIsEnteredAndLeftUnchanged)
+{
+    protocol::State state = protocol::initial_state(table::description);
+    state.codes[table::N] = 14;
+    state.codes[table::MOTION] = 0;
+    const protocol::State before = state;
+    const World world = enter(state);
+    EXPECT_EQ(world.count, 14U);
+    EXPECT_EQ(world.rules, Rules::Original);
+    EXPECT_EQ(world.eye, (Point{0, 0, -32}));
+    EXPECT_EQ(world.screen, 8);
+    EXPECT_EQ(world.box.low, (Point{-26, -30, -16}));
+    EXPECT_EQ(world.box.high, (Point{26, 22, 40}));
+    EXPECT_EQ(world.balls[13].centre, (Point{0, 18, -10}));
+    EXPECT_EQ(world.balls[13].velocity, (Point{0.1875F, -0.5F, 0.125F}));
+    EXPECT_EQ(world.balls[13].radius, 3);
+    leave(world, state);
+    EXPECT_EQ(state, before);
+}
+
+TEST(WhittedMotion, ValuesAreTruncatedAndStayInTheirRanges)
+{
+    protocol::State state = protocol::initial_state(table::description);
+    World world = enter(state);
+    world.eye = {-1.9999F / 4096, 1.9999F / 4096, -5000};
+    world.screen = 100;
+    leave(world, state);
+    EXPECT_EQ(state.codes[table::EX], -1);
+    EXPECT_EQ(state.codes[table::EY], 1);
+    EXPECT_EQ(state.codes[table::EZ], -1024 * 4096);
+    EXPECT_EQ(state.codes[table::S], 63 * 4096);
 }
 
 } // namespace
