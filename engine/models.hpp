@@ -7,6 +7,7 @@
 #include "engine/marcher/marcher.hpp"
 #include "engine/model.hpp"
 #include "engine/sphere/sphere.hpp"
+#include "engine/whitted/whitted.hpp"
 #include "protocol/accelerators.hpp"
 
 #include <array>
@@ -19,6 +20,7 @@ inline constexpr std::array models = {
     Model{&protocol::fractal::description, fractal::draw_row, fractal::frame_cycles, nullptr,
           fractal::frames_of_a_still},
     Model{&protocol::sphere::description, sphere::draw_row, sphere::frame_cycles, sphere::finish},
+    Model{&protocol::whitted::description, whitted::draw_row, whitted::frame_cycles},
 };
 
 /// The model of a description that stands in protocol::accelerators.

@@ -6,6 +6,7 @@
 #include "protocol/accelerators/fractal.hpp"
 #include "protocol/accelerators/marcher.hpp"
 #include "protocol/accelerators/sphere.hpp"
+#include "protocol/accelerators/whitted.hpp"
 #include "protocol/parameters.hpp"
 
 namespace raymarch::protocol
@@ -15,6 +16,7 @@ inline constexpr std::array accelerators = {
     &marcher::description,
     &fractal::description,
     &sphere::description,
+    &whitted::description,
 };
 
 /// What is active where neither the hardware nor the user says otherwise.
