@@ -30,8 +30,9 @@ struct Cartesian
     typename Format::Coordinate y{};
 };
 
-/// All ones for a negative number, else 0; a number xor its sign, minus the sign, is negated where
-/// the sign is set. So no loop below has a branch that the machine could guess wrong.
+/// All ones for a negative number, else 0. A number xor a sign, minus the sign, is negated where the
+/// sign is set, so that no loop below has a branch that the machine could guess wrong; the sign is
+/// subtracted first, from the other operand, so that it waits for nothing.
 template <typename T>
 [[nodiscard]] constexpr T sign_of(T a) noexcept
 {
@@ -55,9 +56,9 @@ template <typename Format>
         const Coordinate across = x >> i;
         const Coordinate along = y >> i;
         const auto sign_word = static_cast<std::uint64_t>(sign);
-        x += (along ^ sign) - sign;
-        y -= (across ^ sign) - sign;
-        angle += (angles[static_cast<std::size_t>(i)] ^ sign_word) - sign_word;
+        x = (x - sign) + (along ^ sign);
+        y = (y + sign) - (across ^ sign);
+        angle = (angle - sign_word) + (angles[static_cast<std::size_t>(i)] ^ sign_word);
     }
     return {Format::scaled(x, gain_of(steps)), angle};
 }
@@ -80,9 +81,9 @@ template <typename Format>
         const Coordinate sign{sign_word};
         const Coordinate across = x >> i;
         const Coordinate along = y >> i;
-        x -= (along ^ sign) - sign;
-        y += (across ^ sign) - sign;
-        angle -= (angles[static_cast<std::size_t>(i)] ^ turned) - turned;
+        x = (x + sign) - (along ^ sign);
+        y = (y - sign) + (across ^ sign);
+        angle = (angle + turned) - (angles[static_cast<std::size_t>(i)] ^ turned);
     }
     return {x, y};
 }
