@@ -30,9 +30,9 @@ struct Cartesian
     typename Format::Coordinate y{};
 };
 
-/// All ones for a negative number, else 0. A number xor a sign, minus the sign, is negated where the
-/// sign is set, so that no loop below has a branch that the machine could guess wrong; the sign is
-/// subtracted first, from the other operand, so that it waits for nothing.
+/// All ones for a negative number, else 0. A number xor a sign, minus the sign, is negated where
+/// the sign is set, so that no loop below has a branch that the machine could guess wrong; the sign
+/// is subtracted first, from the other operand, so that it waits for nothing.
 template <typename T>
 [[nodiscard]] constexpr T sign_of(T a) noexcept
 {

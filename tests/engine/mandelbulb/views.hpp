@@ -4,6 +4,7 @@
 #pragma once
 
 #include "engine/mandelbulb/frame.hpp"
+#include "tests/engine/mandelbulb/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,18 +34,6 @@ struct View
     Frame frame{};
     std::vector<PixelCheck> pixels{};
 };
-
-/// Eighteen digits are 72 bits in two's complement.
-inline Int128 position_word(const std::string& hex)
-{
-    const auto upper = static_cast<std::int8_t>(std::stoul(hex.substr(0, 2), nullptr, 16));
-    return (Int128(upper) << 64) + Int128(std::stoull(hex.substr(2), nullptr, 16));
-}
-
-inline std::int64_t direction_word(const std::string& hex)
-{
-    return static_cast<std::int64_t>(std::stoull(hex, nullptr, 16));
-}
 
 /// "i,j:rdx:rdy:rdz:steps,k,t"
 inline PixelCheck pixel_check(std::string text)
@@ -77,7 +66,8 @@ inline std::vector<View> read_views()
             return Direction{direction_word(hex[0]), direction_word(hex[1]),
                              direction_word(hex[2])};
         };
-        view.frame.position = {position_word(s[0]), position_word(s[1]), position_word(s[2])};
+        view.frame.position = {wide_word<Int128>(s[0]), wide_word<Int128>(s[1]),
+                               wide_word<Int128>(s[2])};
         view.frame.forward = direction(f);
         view.frame.right = direction(r);
         view.frame.up = direction(u);
