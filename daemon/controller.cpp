@@ -97,7 +97,7 @@ Controller::Outcome Controller::dispatch(const Request& request, SessionSettings
         return run(request, session);
     }
 
-    State state;
+    State state = state_;
     if (auto fault = read_frame(accelerator_, request.text, state))
         return fault;
     return apply(state);
@@ -230,7 +230,7 @@ Controller::Outcome Controller::get(Text words)
         if (given.any())
             reply_ << ',';
         given.set(*index);
-        write_assignment(reply_, accelerator_.parameters[*index], state_.codes[*index]);
+        write_assignment(reply_, accelerator_, state_, *index);
     }
     reply_.end_line();
     return std::nullopt;

@@ -136,10 +136,11 @@ void randomise(const Accelerator& accelerator, std::string_view group, std::mt19
     };
     for (std::size_t i = 0; i < accelerator.parameters.size(); ++i) {
         const Parameter& parameter = accelerator.parameters[i];
+        // The upper end of a number with a tail is that end only with an empty tail.
+        const std::int64_t largest = std::min(
+            parameter.max_scaled - (parameter.tail_bits > 0 ? 1 : 0), parameter.largest_code);
         if (in_group(i))
-            state.codes[i] = std::uniform_int_distribution(
-                parameter.min_scaled,
-                std::min(parameter.max_scaled, parameter.format.max_code()))(random);
+            state.codes[i] = std::uniform_int_distribution(parameter.min_scaled, largest)(random);
     }
     if (accelerator.camera && in_group(accelerator.camera->zoom)) {
         const double yaw = std::uniform_real_distribution(0.0, 360.0)(random);

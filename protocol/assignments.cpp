@@ -19,10 +19,8 @@ bool is_key(const Accelerator& accelerator, std::string_view key) noexcept
         return false;
     if (std::ranges::all_of(key, is_letter))
         return true;
-    const bool has_rows =
-        std::ranges::any_of(accelerator.parameters, [](const Parameter& parameter) {
-            return parameter.key.find('.') != std::string_view::npos;
-        });
+    const bool has_rows = std::ranges::any_of(
+        accelerator.parameters, [](const Parameter& parameter) { return parameter.is_row(); });
     return has_rows && std::ranges::all_of(key, [](char c) {
                return is_letter(c) || detail::is_digit(c) || c == '.';
            });
@@ -50,8 +48,6 @@ bool take_plain_pairs(std::span<const Parameter> table, Text& rest, State& state
                       ParameterSet& given, std::size_t& guess) noexcept
 {
     std::string_view bytes = rest.bytes;
-    static_assert(max_parameters <= 64);
-    std::uint64_t taken = given.to_ullong();
     std::uint64_t front = 0;
     while (bytes.size() >= sizeof front) {
         std::memcpy(&front, bytes.data(), sizeof front);
@@ -60,7 +56,7 @@ bool take_plain_pairs(std::span<const Parameter> table, Text& rest, State& state
             for (index = 0; index < table.size(); ++index)
                 if (table[index].front.matches(front))
                     break;
-        if (index == table.size() || (taken >> index & 1) != 0)
+        if (index == table.size() || given[index])
             break;
         const Parameter& parameter = table[index];
         std::string_view value = bytes;
@@ -71,32 +67,26 @@ bool take_plain_pairs(std::span<const Parameter> table, Text& rest, State& state
         if (length == 0 || (length < value.size() && value[length] != ','))
             break;
         state.codes[index] = code;
-        taken |= std::uint64_t{1} << index;
+        given.set(index);
         guess = index + 1;
-        if (length == value.size()) {
-            given = ParameterSet(taken);
+        if (length == value.size())
             return true;
-        }
         value.remove_prefix(length + 1);
         bytes = value;
     }
-    given = ParameterSet(taken);
     rest = rest.from(rest.bytes.size() - bytes.size());
     return false;
 }
 
-ParameterSet all_parameters(const Accelerator& accelerator) noexcept
+tl::expected<WideCode, ErrorCode> read_value(const Parameter& parameter,
+                                             std::string_view text) noexcept
 {
-    return ParameterSet().set() >> (max_parameters - accelerator.parameters.size());
-}
-
-tl::expected<std::int64_t, ErrorCode> read_value(const Parameter& parameter,
-                                                 std::string_view text) noexcept
-{
+    if (parameter.tail_bits > 0)
+        return quantize_wide(parameter, text);
     if (!parameter.is_choice())
-        return quantize(parameter, text);
+        return quantize(parameter, text).map([](std::int64_t code) { return WideCode{code, 0}; });
     if (const auto code = find_choice(parameter, text))
-        return *code;
+        return WideCode{*code, 0};
     return tl::unexpected(ErrorCode::Object);
 }
 
@@ -128,7 +118,9 @@ std::optional<Fault> read_assignments(const Accelerator& accelerator, Text text,
         const auto code = read_value(accelerator.parameters[*index], value.bytes);
         if (!code)
             return Fault{.code = code.error(), .column = value.column, .parameter = index};
-        state.codes[*index] = *code;
+        state.codes[*index] = code->upper;
+        if (accelerator.parameters[*index].tail_bits > 0)
+            state.codes[*index + 1U] = code->tail;
         given.set(*index);
         guess = *index + 1U;
     }
@@ -140,12 +132,10 @@ std::optional<Fault> read_frame(const Accelerator& accelerator, Text text, State
     ParameterSet given;
     if (auto fault = read_assignments(accelerator, text, state, given))
         return fault;
-    if (given == all_parameters(accelerator))
+    const ParameterSet missing = given.missing_of(accelerator.frame);
+    if (!missing.any())
         return std::nullopt;
-    Fault fault{.code = ErrorCode::MissingKey};
-    for (std::size_t i = 0; i < accelerator.parameters.size(); ++i)
-        fault.missing.set(i, !given[i]);
-    return fault;
+    return Fault{.code = ErrorCode::MissingKey, .missing = missing};
 }
 
 bool basis_is_orthonormal(const Accelerator& accelerator, const State& state) noexcept

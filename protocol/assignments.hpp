@@ -17,7 +17,8 @@ namespace raymarch::protocol
 [[nodiscard]] std::optional<Fault> read_assignments(const Accelerator& accelerator, Text text,
                                                     State& state, ParameterSet& given) noexcept;
 
-/// A complete frame: every parameter, each once. The same faults, and MissingKey.
+/// A complete frame: every parameter that is no row of a table, each once; rows may be among them,
+/// and keep what `state` has where they are not. The same faults, and MissingKey.
 [[nodiscard]] std::optional<Fault> read_frame(const Accelerator& accelerator, Text text,
                                               State& state) noexcept;
 

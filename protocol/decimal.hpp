@@ -45,6 +45,15 @@ struct Scaled
 /// Scales by 2^bits, bits 0 to 65.
 [[nodiscard]] constexpr Scaled scale(const Decimal& value, int bits) noexcept;
 
+/// The same with a floor of 128 bits.
+struct WideScaled
+{
+    std::uint64_t high = 0;
+    std::uint64_t low = 0;
+    bool inexact = false;
+};
+[[nodiscard]] constexpr WideScaled scale_wide(const Decimal& value, int bits) noexcept;
+
 // ------------------------------------------------------------------------------------------------
 
 namespace detail
@@ -102,16 +111,24 @@ class Wide
         return static_cast<std::uint32_t>(rest);
     }
 
-    [[nodiscard]] constexpr bool fits_64() const noexcept
+    /// Divides by 2^64.
+    constexpr void drop_piece() noexcept
     {
-        for (std::size_t i = 2; i < limbs_.size(); ++i)
+        for (std::size_t i = 0; i < limbs_.size(); ++i)
+            limbs_[i] = i + 2 < limbs_.size() ? limbs_[i + 2] : 0;
+    }
+    /// Whether all from 64-bit piece `piece` on is zero.
+    [[nodiscard]] constexpr bool ends_below(std::size_t piece) const noexcept
+    {
+        for (std::size_t i = 2 * piece; i < limbs_.size(); ++i)
             if (limbs_[i] != 0)
                 return false;
         return true;
     }
-    [[nodiscard]] constexpr std::uint64_t low_64() const noexcept
+    /// Bits 64 * piece and up.
+    [[nodiscard]] constexpr std::uint64_t piece(std::size_t piece) const noexcept
     {
-        return std::uint64_t{limbs_[1]} << 32 | limbs_[0];
+        return std::uint64_t{limbs_[2 * piece + 1]} << 32 | limbs_[2 * piece];
     }
 
   private:
@@ -186,15 +203,15 @@ constexpr int compare(const Decimal& a, const Decimal& b) noexcept
     return 0;
 }
 
-constexpr Scaled scale(const Decimal& value, int bits) noexcept
+constexpr WideScaled scale_wide(const Decimal& value, int bits) noexcept
 {
-    constexpr Scaled too_large = {.floor = UINT64_MAX, .inexact = true};
+    constexpr WideScaled too_large = {.high = UINT64_MAX, .low = UINT64_MAX, .inexact = true};
     if (value.count == 0)
         return {};
-    if (value.point > 20) // at least 10^20, and so above 2^64
+    if (value.point > 20) // at least 10^20, and so above 2^64: no format reaches that far
         return too_large;
     if (value.point < -20) // below 10^-20, and so below 2^-65
-        return {.floor = 0, .inexact = true};
+        return {.inexact = true};
 
     detail::Wide wide;
     for (std::size_t i = 0; i < value.count; ++i)
@@ -212,9 +229,17 @@ constexpr Scaled scale(const Decimal& value, int bits) noexcept
             divisor *= 10;
         inexact |= wide.divide(divisor) != 0;
     }
-    if (!wide.fits_64())
+    if (!wide.ends_below(2))
         return too_large;
-    return {.floor = wide.low_64(), .inexact = inexact};
+    return {.high = wide.piece(1), .low = wide.piece(0), .inexact = inexact};
+}
+
+constexpr Scaled scale(const Decimal& value, int bits) noexcept
+{
+    const WideScaled wide = scale_wide(value, bits);
+    if (wide.high != 0)
+        return {.floor = UINT64_MAX, .inexact = true};
+    return {.floor = wide.low, .inexact = wide.inexact};
 }
 
 } // namespace raymarch::protocol

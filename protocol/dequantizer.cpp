@@ -10,41 +10,81 @@ namespace raymarch::protocol
 namespace
 {
 
-constexpr int max_fraction_digits = 18;
+/// 10^-20 is below half a unit of the finest format, 2^-65.
+constexpr int max_fraction_digits = 20;
+constexpr std::size_t room = max_number_length;
 
-/// magnitude / 2^bits to `digits` decimal places, to the nearest: the integer part, and the
-/// fraction as an integer below 10^digits.
-struct Rounded
+/// A magnitude as 64 bits before the point and 64 behind it.
+struct Magnitude
 {
     std::uint64_t integer;
     std::uint64_t fraction;
 };
 
-Rounded round_to(std::uint64_t magnitude, int bits, int digits) noexcept
+Magnitude magnitude_of(const Parameter& parameter, WideCode code) noexcept
 {
-    const std::uint64_t mask = (std::uint64_t{1} << bits) - 1;
-    Rounded result{magnitude >> bits, 0};
-    // Long multiplication digit by digit: the rest stays below 2^bits, so 60 bits are enough room.
-    std::uint64_t rest = magnitude & mask;
-    std::uint64_t power = 1;
-    for (int i = 0; i < digits; ++i) {
-        rest *= 10;
-        result.fraction = result.fraction * 10 + (rest >> bits);
-        rest &= mask;
-        power *= 10;
+    const bool negative = code.upper < 0;
+    const int tail = parameter.tail_bits;
+    const int bits = parameter.code_fraction_bits();
+    auto upper = static_cast<std::uint64_t>(code.upper);
+    auto low = static_cast<std::uint64_t>(code.tail);
+    if (negative) { // the two's complement of both pieces together
+        upper = ~upper + (low == 0 ? 1 : 0);
+        low = tail == 0 ? 0 : (std::uint64_t{1} << tail) - low;
     }
-    if (bits > 0 && rest >> (bits - 1) != 0)
-        ++result.fraction;
-    if (result.fraction == power) {
-        ++result.integer;
-        result.fraction = 0;
+    if (bits == 0)
+        return {upper, 0};
+    return {bits == 64 ? 0 : upper >> bits, upper << (64 - bits) | (tail == 0 ? 0 : low)};
+}
+
+/// Decimal digits, the least significant first.
+struct Digits
+{
+    std::array<char, room> text{};
+    std::size_t count = 0;
+    bool carry = false; ///< the fraction was rounded up to 1
+};
+
+/// `fraction` / 2^64 to `count` decimal places, to the nearest.
+Digits round_to(std::uint64_t fraction, int count) noexcept
+{
+    detail::Wide scaled;
+    for (int piece = 3; piece >= 0; --piece)
+        scaled.multiply_add(1U << 16,
+                            static_cast<std::uint32_t>(fraction >> (16 * piece)) & 0xFFFF);
+    for (int i = 0; i < count; ++i)
+        scaled.multiply_add(10, 0);
+    const bool up = scaled.piece(0) >> 63 != 0;
+    scaled.drop_piece();
+    scaled.multiply_add(1, up ? 1 : 0);
+    Digits digits;
+    for (; digits.count < static_cast<std::size_t>(count); ++digits.count)
+        digits.text[digits.count] = static_cast<char>('0' + scaled.divide(10));
+    digits.carry = scaled.piece(0) != 0;
+    return digits;
+}
+
+bool quantises_back(const Parameter& parameter, std::string_view text, WideCode code) noexcept
+{
+    if (parameter.tail_bits > 0) {
+        const auto back = quantize_wide(parameter, text);
+        return back && *back == code;
     }
-    return result;
+    // Without the hold: a decimal that is only held at the largest code does not name it.
+    Parameter unheld = parameter;
+    unheld.largest_code = INT64_MAX;
+    if (code.upper < parameter.min_scaled || code.upper > parameter.max_scaled) {
+        // No frame can set it.
+        unheld.positive = {.least = 0, .first_above = UINT64_MAX};
+        unheld.negative = unheld.positive;
+    }
+    const auto back = quantize(unheld, text);
+    return back && *back == code.upper;
 }
 
 } // namespace
 
-ValueText to_text(const Parameter& parameter, std::int64_t code) noexcept
+ValueText to_text(const Parameter& parameter, std::int64_t code, std::int64_t tail) noexcept
 {
     ValueText text;
     if (parameter.is_choice() && static_cast<std::uint64_t>(code) < parameter.choices.size()) {
@@ -53,36 +93,22 @@ ValueText to_text(const Parameter& parameter, std::int64_t code) noexcept
         return text;
     }
 
-    // Without the hold: a decimal that is only held at the largest code does not name it.
-    Parameter unheld = parameter;
-    unheld.largest_code = INT64_MAX;
-    if (code < parameter.min_scaled || code > parameter.max_scaled) { // no frame can set it
-        unheld.positive = {.least = 0, .first_above = UINT64_MAX};
-        unheld.negative = unheld.positive;
-    }
-
-    const bool negative = code < 0;
-    const auto magnitude = negative ? std::uint64_t{0} - static_cast<std::uint64_t>(code)
-                                    : static_cast<std::uint64_t>(code);
-    for (int digits = 0; digits <= max_fraction_digits; ++digits) {
-        const Rounded value = round_to(magnitude, parameter.format.fraction_bits, digits);
+    const Magnitude magnitude = magnitude_of(parameter, {.upper = code, .tail = tail});
+    for (int count = 0; count <= max_fraction_digits; ++count) {
+        const Digits digits = round_to(magnitude.fraction, count);
         text = ValueText{};
-        if (negative)
+        if (code < 0)
             text.append('-');
         std::array<char, 20> number{};
-        const auto end = std::to_chars(number.data(), number.data() + number.size(), value.integer);
+        const auto end = std::to_chars(number.data(), number.data() + number.size(),
+                                       magnitude.integer + (digits.carry ? 1 : 0));
         for (const char* c = number.data(); c != end.ptr; ++c)
             text.append(*c);
-        if (digits > 0) {
+        if (count > 0)
             text.append('.');
-            std::uint64_t fraction = value.fraction;
-            for (int i = digits; i-- > 0; fraction /= 10)
-                number[static_cast<std::size_t>(i)] = static_cast<char>('0' + fraction % 10);
-            for (int i = 0; i < digits; ++i)
-                text.append(number[static_cast<std::size_t>(i)]);
-        }
-        const auto back = quantize(unheld, text.view());
-        if (back && *back == code)
+        for (std::size_t i = digits.count; i-- > 0;)
+            text.append(digits.text[i]);
+        if (quantises_back(parameter, text.view(), {.upper = code, .tail = tail}))
             break;
     }
     return text;

@@ -19,7 +19,7 @@ class ValueText
     [[nodiscard]] std::string_view view() const noexcept { return {bytes_.data(), size_}; }
 
   private:
-    friend ValueText to_text(const Parameter&, std::int64_t) noexcept;
+    friend ValueText to_text(const Parameter&, std::int64_t, std::int64_t) noexcept;
     void append(char c) noexcept
     {
         if (size_ < bytes_.size())
@@ -32,7 +32,8 @@ class ValueText
 /// The decimal with the fewest fraction digits that lies in the range and quantises back to `code`,
 /// and of those the nearest to it; for a choice its name, or its digits if it has none.
 /// A code of the format that lies outside the range is printed as if the range were the whole
-/// format.
-[[nodiscard]] ValueText to_text(const Parameter& parameter, std::int64_t code) noexcept;
+/// format. `tail` is the code of the row behind one that has a tail.
+[[nodiscard]] ValueText to_text(const Parameter& parameter, std::int64_t code,
+                                std::int64_t tail = 0) noexcept;
 
 } // namespace raymarch::protocol

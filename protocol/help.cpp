@@ -43,8 +43,7 @@ void write_parameter(ReplyWriter& reply, const Parameter& parameter) noexcept
 void write_everything(ReplyWriter& reply, const Accelerator& accelerator) noexcept
 {
     reply << "# A frame is KEY=VALUE,... with all of";
-    for (const Parameter& parameter : accelerator.parameters)
-        reply << ' ' << parameter.key;
+    write_keys(reply, accelerator);
     reply << "; any other line is a command:";
     reply.end_line();
     for (const CommandRow& row : commands)

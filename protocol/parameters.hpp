@@ -2,18 +2,16 @@
 /// @file
 /// What a row of a parameter table says, and what a description of an accelerator is made of.
 ///
-/// A table is written with designated initialisers and passed through `complete`, which computes
-/// the codes of the ranges and defaults from their decimal text and refuses to compile a table that
-/// contradicts itself. Parser, packer, help, documents, SystemVerilog and state file read only
-/// this.
+/// Parser, packer, help, documents, SystemVerilog and state file read only this. How a table is
+/// written down and checked: parameter_table.hpp.
 #pragma once
 
+#include "protocol/counted.hpp"
 #include "protocol/decimal.hpp"
 #include "protocol/text.hpp"
 
 #include <array>
 #include <bit>
-#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -31,6 +29,7 @@ struct Format
     std::uint8_t fraction_bits = 0;
 
     [[nodiscard]] constexpr int width() const noexcept { return integer_bits + fraction_bits; }
+    /// Of a format of at most 64 bits, signed, or 63 without a sign.
     [[nodiscard]] constexpr std::int64_t max_code() const noexcept
     {
         return static_cast<std::int64_t>((std::uint64_t{1} << (width() - (is_signed ? 1 : 0))) - 1);
@@ -56,7 +55,7 @@ using ParameterIndex = std::uint8_t;
 /// Bits [msb:lsb] of one register word. A parameter that spans words lists its upper part first.
 struct Slice
 {
-    std::uint8_t word = 0;
+    std::uint16_t word = 0;
     std::uint8_t msb = 0;
     std::uint8_t lsb = 0;
     // Filled in by complete(): which bit of the parameter stands at lsb, and as many ones as bits.
@@ -65,6 +64,9 @@ struct Slice
 
     [[nodiscard]] constexpr int width() const noexcept { return msb - lsb + 1; }
 };
+
+/// The most pieces that a parameter is cut into.
+inline constexpr std::size_t max_slices = 3;
 
 /// A slice with the parameter that it belongs to.
 struct Field
@@ -94,10 +96,10 @@ struct Limits
     std::uint64_t first_above = 0;
 };
 
-/// One value that a host may set.
+/// One value that a host may set, or the lower bits of the one before it.
 struct Parameter
 {
-    std::string_view key;     ///< upper case, as on the wire
+    std::string_view key;     ///< upper case, as on the wire; with a dot: a row of a table
     std::string_view meaning; ///< for help and documents
     std::string_view unit;    ///< empty where there is none
     std::string_view group;   ///< what RESET and RANDOM may name
@@ -105,16 +107,17 @@ struct Parameter
     std::string_view min; ///< decimal text, inclusive; empty for choices
     std::string_view max;
     std::string_view initial; ///< decimal text, or the name of a choice
-    std::array<Slice, 2> slices{};
-    std::uint8_t slice_count = 1;
+    std::array<Slice, max_slices> slices{};
+    std::uint8_t slice_count = 1;                ///< 0: kept by the service, in no register
+    std::uint8_t tail_bits = 0;                  ///< how many low bits the next row holds
     std::span<const std::string_view> choices{}; ///< names of the codes 0, 1, …; empty for numbers
 
-    // Filled in by complete(): the range in units of 2^-fraction_bits, the default's code, and what
-    // the parser's short path compares.
+    // Filled in by complete(): the range in units of 2^-code_fraction_bits, the default's code, and
+    // what the parser's short path compares.
     std::int64_t min_scaled = 0;
     std::int64_t max_scaled = 0;
     std::int64_t initial_code = 0;
-    std::int64_t largest_code = 0; ///< format.max_code()
+    std::int64_t largest_code = 0; ///< the largest that code_width() bits hold
     Limits positive{};             ///< of numbers without a minus sign
     Limits negative{};             ///< with one; a negative zero is a zero
     KeyFront front{};
@@ -124,22 +127,73 @@ struct Parameter
         return std::span(slices).first(slice_count);
     }
     [[nodiscard]] constexpr bool is_choice() const noexcept { return !choices.empty(); }
+    /// The lower bits of a number that is wider than a code: no value of its own.
+    [[nodiscard]] constexpr bool is_tail() const noexcept { return key.empty(); }
+    /// Part of a table such as the spheres of a scene: set by SET, not needed in a frame.
+    [[nodiscard]] constexpr bool is_row() const noexcept
+    {
+        return key.find('.') != std::string_view::npos;
+    }
+    /// The bits of this row's own code, and those of them that are a fraction.
+    [[nodiscard]] constexpr int code_width() const noexcept { return format.width() - tail_bits; }
+    [[nodiscard]] constexpr int code_fraction_bits() const noexcept
+    {
+        return format.fraction_bits - tail_bits;
+    }
 };
 
 /// The largest table that fits a State.
-inline constexpr std::size_t max_parameters = 64;
-/// The most parameter words of any accelerator.
-inline constexpr std::size_t max_parameter_words = 64;
+inline constexpr std::size_t max_parameters = 256;
+/// The most parameter words of any accelerator: from offset 0x100 to the middle of the page.
+inline constexpr std::size_t max_parameter_words = (0x800 - 0x100) / 4;
 
 /// The code of every parameter, in table order.
 struct State
 {
-    std::array<std::int64_t, max_parameters> codes{};
+    Counted<std::int64_t, max_parameters> codes;
+
+    /// With room for any table, all zero.
+    constexpr State() noexcept = default;
+    /// For a table of that size, all zero.
+    constexpr explicit State(std::size_t size) noexcept : codes(size) {}
     bool operator==(const State&) const = default;
 };
 
 /// A subset of a table, by index.
-using ParameterSet = std::bitset<max_parameters>;
+class ParameterSet
+{
+  public:
+    constexpr ParameterSet& set(std::size_t i, bool on = true) noexcept
+    {
+        const std::uint64_t bit = std::uint64_t{1} << (i % 64);
+        bits_[i / 64] = on ? bits_[i / 64] | bit : bits_[i / 64] & ~bit;
+        return *this;
+    }
+    [[nodiscard]] constexpr bool operator[](std::size_t i) const noexcept
+    {
+        return (bits_[i / 64] >> (i % 64) & 1) != 0;
+    }
+    [[nodiscard]] constexpr std::size_t count() const noexcept
+    {
+        std::size_t count = 0;
+        for (const std::uint64_t bits : bits_)
+            count += static_cast<std::size_t>(std::popcount(bits));
+        return count;
+    }
+    [[nodiscard]] constexpr bool any() const noexcept { return !(*this == ParameterSet()); }
+    /// Those of `all` that are not in this one.
+    [[nodiscard]] constexpr ParameterSet missing_of(const ParameterSet& all) const noexcept
+    {
+        ParameterSet missing;
+        for (std::size_t i = 0; i < bits_.size(); ++i)
+            missing.bits_[i] = all.bits_[i] & ~bits_[i];
+        return missing;
+    }
+    bool operator==(const ParameterSet&) const = default;
+
+  private:
+    std::array<std::uint64_t, max_parameters / 64> bits_{};
+};
 
 /// The twelve parameters that make a camera; what VIEW sets and the basis check looks at.
 struct OrbitCamera
@@ -178,13 +232,14 @@ struct Accelerator
     std::string_view summary;
     std::uint8_t kind;               ///< CAPABILITY[31:24]
     std::uint16_t first_word_offset; ///< byte offset of parameter word 0
-    std::uint8_t word_count;
+    std::uint16_t word_count;
     PictureSize size;     ///< what the source draws
     PictureSize max_size; ///< what the model draws
     std::uint8_t ray_units;
     std::uint32_t clock_hz;
     std::span<const Parameter> parameters;
     std::span<const Field> fields; ///< every slice of the parameters, see fields_of()
+    ParameterSet frame;            ///< what a complete frame names, see frame_of()
     std::span<const Preset> presets;
     std::optional<OrbitCamera> camera;
     std::optional<Colour> colour;
@@ -195,6 +250,8 @@ struct Accelerator
 find_parameter(std::span<const Parameter> table, std::string_view key,
                std::size_t guess = 0) noexcept
 {
+    if (key.empty()) // the name of no value
+        return std::nullopt;
     if (guess < table.size() && equal_ignoring_case(table[guess].key, key))
         return static_cast<ParameterIndex>(guess);
     for (std::size_t i = 0; i < table.size(); ++i)
@@ -219,142 +276,10 @@ find_parameter(std::span<const Parameter> table, std::string_view key,
 /// The defaults of a table.
 [[nodiscard]] constexpr State initial_state(const Accelerator& accelerator) noexcept
 {
-    State state;
+    State state(accelerator.parameters.size());
     for (std::size_t i = 0; i < accelerator.parameters.size(); ++i)
         state.codes[i] = accelerator.parameters[i].initial_code;
     return state;
-}
-
-// ------------------------------------------------------------------------------------------------
-
-namespace detail
-{
-
-/// Reached only by a table that contradicts itself; not constexpr, so that compiling stops there.
-inline void table_error(const char* /*what*/) {}
-
-consteval std::int64_t bound(std::string_view text, int fraction_bits)
-{
-    const std::optional<Decimal> value = parse_decimal(text);
-    if (!value)
-        table_error("a bound is no number");
-    const Scaled scaled = scale(*value, fraction_bits);
-    if (scaled.inexact)
-        table_error("a bound is no multiple of the format's unit");
-    const auto magnitude = static_cast<std::int64_t>(scaled.floor);
-    return value->negative ? -magnitude : magnitude;
-}
-
-consteval KeyFront key_front(std::string_view key)
-{
-    if (key.size() >= sizeof(std::uint64_t))
-        return {};
-    KeyFront front{.bits = 0, .mask = 0, .length = static_cast<std::uint8_t>(key.size() + 1)};
-    for (std::size_t i = 0; i <= key.size(); ++i) {
-        const auto byte = static_cast<std::uint8_t>(i < key.size() ? key[i] : '=');
-        const std::size_t position =
-            std::endian::native == std::endian::little ? i : sizeof(std::uint64_t) - 1 - i;
-        front.bits |= std::uint64_t{byte} << (8 * position);
-        front.mask |= std::uint64_t{0xFF} << (8 * position);
-    }
-    return front;
-}
-
-consteval Limits limits(std::int64_t least, std::int64_t most)
-{
-    if (most < 0)
-        return {};
-    return {.least = least > 0 ? static_cast<std::uint64_t>(least) * 2 : 0,
-            .first_above = static_cast<std::uint64_t>(most) * 2 + 1};
-}
-
-consteval void complete_row(Parameter& row)
-{
-    row.front = key_front(row.key);
-    row.largest_code = row.format.max_code();
-    int below = row.format.width();
-    for (Slice& slice : std::span(row.slices).first(row.slice_count)) {
-        below -= slice.width();
-        slice.shift = static_cast<std::uint8_t>(below);
-        slice.mask = static_cast<std::uint32_t>((std::uint64_t{1} << slice.width()) - 1);
-    }
-    if (row.is_choice()) {
-        row.max_scaled = static_cast<std::int64_t>(row.choices.size()) - 1;
-        const std::optional<std::int64_t> code = find_choice(row, row.initial);
-        if (!code)
-            table_error("the default is none of the choices");
-        row.initial_code = *code;
-    } else {
-        row.min_scaled = bound(row.min, row.format.fraction_bits);
-        row.max_scaled = bound(row.max, row.format.fraction_bits);
-        row.initial_code = bound(row.initial, row.format.fraction_bits);
-        if (row.initial_code < row.min_scaled || row.initial_code > row.max_scaled)
-            table_error("the default is out of range");
-        row.positive = limits(row.min_scaled, row.max_scaled);
-        row.negative = limits(-row.max_scaled, -row.min_scaled);
-        if (row.initial_code > row.format.max_code()) // 1.0 in a format that ends below it
-            row.initial_code = row.format.max_code();
-    }
-    // The upper end may lie one code above the format (1.0 in Q1.17); the lower one may not.
-    if (row.min_scaled < row.format.min_code() || row.max_scaled > row.format.max_code() + 1)
-        table_error("the range does not fit the format");
-    int width = 0;
-    for (const Slice& slice : row.placement())
-        width += slice.width();
-    if (width != row.format.width())
-        table_error("the slices are not as wide as the format");
-}
-
-} // namespace detail
-
-/// Fills in the computed members of a table and checks it: keys unique and upper case, ranges and
-/// defaults representable, slices as wide as their format, no bit of a register used twice.
-template <std::size_t N>
-consteval std::array<Parameter, N> complete(std::array<Parameter, N> table)
-{
-    static_assert(N <= max_parameters);
-    std::array<std::uint32_t, max_parameter_words> used{};
-    for (std::size_t i = 0; i < N; ++i) {
-        Parameter& row = table[i];
-        detail::complete_row(row);
-        for (const char c : row.key)
-            if (to_upper(c) != c)
-                detail::table_error("a key is not upper case");
-        for (std::size_t j = 0; j < i; ++j)
-            if (table[j].key == row.key)
-                detail::table_error("a key stands twice");
-        for (const Slice& slice : row.placement()) {
-            const auto mask =
-                static_cast<std::uint32_t>(((std::uint64_t{1} << slice.width()) - 1) << slice.lsb);
-            if (used[slice.word] & mask)
-                detail::table_error("two parameters share a bit");
-            used[slice.word] |= mask;
-        }
-    }
-    return table;
-}
-
-/// The fields of a table in one row, as packing walks through them; as many as `count` says.
-template <std::size_t N>
-struct Fields
-{
-    std::array<Field, 2 * N> rows{};
-    std::size_t count = 0;
-
-    [[nodiscard]] constexpr std::span<const Field> span() const noexcept
-    {
-        return std::span(rows).first(count);
-    }
-};
-
-template <std::size_t N>
-consteval Fields<N> fields_of(const std::array<Parameter, N>& table)
-{
-    Fields<N> fields;
-    for (std::size_t i = 0; i < N; ++i)
-        for (const Slice& slice : table[i].placement())
-            fields.rows[fields.count++] = {static_cast<ParameterIndex>(i), slice};
-    return fields;
 }
 
 } // namespace raymarch::protocol

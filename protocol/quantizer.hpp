@@ -18,4 +18,16 @@ namespace raymarch::protocol
 [[nodiscard]] tl::expected<std::int64_t, ErrorCode> quantize(const Parameter& parameter,
                                                              std::string_view text) noexcept;
 
+/// A code of more than 64 bits in two pieces.
+struct WideCode
+{
+    std::int64_t upper = 0; ///< all above the tail, signed
+    std::int64_t tail = 0;  ///< the row's tail_bits low bits
+    bool operator==(const WideCode&) const = default;
+};
+
+/// The same for a parameter with a tail; its range ends inside its format.
+[[nodiscard]] tl::expected<WideCode, ErrorCode> quantize_wide(const Parameter& parameter,
+                                                              std::string_view text) noexcept;
+
 } // namespace raymarch::protocol

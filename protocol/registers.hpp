@@ -92,13 +92,13 @@ inline constexpr std::uint32_t fault = 1U << 3;
     return {static_cast<std::uint16_t>(word >> 16), static_cast<std::uint16_t>(word)};
 }
 
-/// The parameter words of one accelerator; `word_count` of them count.
-using Words = std::array<std::uint32_t, max_parameter_words>;
+/// The parameter words of one accelerator, `word_count` of them.
+using Words = Counted<std::uint32_t, max_parameter_words>;
 
 /// The words that hold `state`; bits that no parameter owns are 0.
 [[nodiscard]] constexpr Words pack(const Accelerator& accelerator, const State& state) noexcept
 {
-    Words words{};
+    Words words(accelerator.word_count);
     for (const auto& [parameter, slice] : accelerator.fields) {
         const std::uint64_t bits =
             static_cast<std::uint64_t>(state.codes[parameter]) >> slice.shift;
@@ -107,18 +107,23 @@ using Words = std::array<std::uint32_t, max_parameter_words>;
     return words;
 }
 
-/// The state that `words` hold: the inverse of pack, sign-extended by each format.
+/// The state that `words` hold: the inverse of pack, sign-extended by each format. What no register
+/// holds is at its default.
 [[nodiscard]] constexpr State unpack(const Accelerator& accelerator,
                                      std::span<const std::uint32_t> words) noexcept
 {
-    State state;
+    State state(accelerator.parameters.size());
     for (std::size_t i = 0; i < accelerator.parameters.size(); ++i) {
         const Parameter& parameter = accelerator.parameters[i];
+        if (parameter.slice_count == 0) {
+            state.codes[i] = parameter.initial_code;
+            continue;
+        }
         std::uint64_t bits = 0;
         for (const Slice& slice : parameter.placement()) {
             bits = bits << slice.width() | (words[slice.word] >> slice.lsb & slice.mask);
         }
-        const int spare = 64 - parameter.format.width();
+        const int spare = 64 - parameter.code_width();
         state.codes[i] = parameter.format.is_signed
                              ? static_cast<std::int64_t>(bits << spare) >> spare
                              : static_cast<std::int64_t>(bits);

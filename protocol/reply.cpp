@@ -15,6 +15,17 @@ namespace
 /// An unknown word is repeated in upper case, unless it is longer than any that could be meant.
 constexpr std::size_t longest_repeated_word = 32;
 
+/// The last parameter of the table within the table whose keys begin so.
+const Parameter* last_of_table(const Accelerator& accelerator, std::string_view table) noexcept
+{
+    const Parameter* last = nullptr;
+    for (const Parameter& parameter : accelerator.parameters)
+        if (parameter.is_row() && parameter.key.starts_with(table) &&
+            detail::is_digit(parameter.key[table.size()]))
+            last = &parameter;
+    return last;
+}
+
 void write_key(ReplyWriter& reply, const Accelerator& accelerator, const Fault& fault) noexcept
 {
     if (fault.parameter) {
@@ -52,8 +63,7 @@ void write_sentence(ReplyWriter& reply, const Accelerator& accelerator, const Fa
     reply << error_row(fault.code).meaning;
     if (fault.code == ErrorCode::UnknownKey) {
         reply << "; the keys are";
-        for (const Parameter& parameter : accelerator.parameters)
-            reply << ' ' << parameter.key;
+        write_keys(reply, accelerator);
     } else if (fault.code == ErrorCode::UnknownCommand) {
         reply << "; HELP lists them";
     }
@@ -115,17 +125,22 @@ void write_fault(ReplyWriter& reply, const Accelerator& accelerator, const Fault
     reply.end_line();
 }
 
-void write_assignment(ReplyWriter& reply, const Parameter& parameter, std::int64_t code) noexcept
+void write_assignment(ReplyWriter& reply, const Accelerator& accelerator, const State& state,
+                      std::size_t index) noexcept
 {
-    reply << parameter.key << '=' << to_text(parameter, code).view();
+    const Parameter& parameter = accelerator.parameters[index];
+    const std::int64_t tail = parameter.tail_bits > 0 ? state.codes[index + 1] : 0;
+    reply << parameter.key << '=' << to_text(parameter, state.codes[index], tail).view();
 }
 
 void write_state(ReplyWriter& reply, const Accelerator& accelerator, const State& state) noexcept
 {
     for (std::size_t i = 0; i < accelerator.parameters.size(); ++i) {
+        if (accelerator.parameters[i].is_tail())
+            continue;
         if (i > 0)
             reply << ',';
-        write_assignment(reply, accelerator.parameters[i], state.codes[i]);
+        write_assignment(reply, accelerator, state, i);
     }
 }
 
@@ -133,6 +148,30 @@ void write_words(ReplyWriter& reply, const Accelerator& accelerator, const Words
 {
     for (std::size_t i = 0; i < accelerator.word_count; ++i)
         (reply << ' ').hex(words[i]);
+}
+
+void write_keys(ReplyWriter& reply, const Accelerator& accelerator) noexcept
+{
+    // "S1.X S1.Y … S14.R" would fill a screen: the columns of a table's first row stand for all.
+    std::string_view row;   // "S1", "S2": the row that the last key belongs to
+    std::string_view table; // "S"
+    for (const Parameter& parameter : accelerator.parameters) {
+        if (!parameter.is_row()) {
+            if (!parameter.is_tail())
+                reply << ' ' << parameter.key;
+            continue;
+        }
+        const std::string_view key = parameter.key;
+        const std::string_view own_row = key.substr(0, key.find('.'));
+        const std::string_view own_table = own_row.substr(0, own_row.find_first_of("0123456789"));
+        if (own_table != table)
+            row = own_row;
+        table = own_table;
+        if (own_row == row)
+            reply << ' ' << key;
+        else if (&parameter == last_of_table(accelerator, own_table))
+            reply << " ... " << key;
+    }
 }
 
 void write_allowed(ReplyWriter& reply, const Parameter& parameter) noexcept

@@ -51,8 +51,12 @@ void write_fault(ReplyWriter& reply, const Accelerator& accelerator, const Fault
 /// `KEY=VALUE,…` for every parameter, in table order.
 void write_state(ReplyWriter& reply, const Accelerator& accelerator, const State& state) noexcept;
 
-/// ` KEY=VALUE` is left to the caller: this writes `KEY=VALUE` of one parameter.
-void write_assignment(ReplyWriter& reply, const Parameter& parameter, std::int64_t code) noexcept;
+/// `KEY=VALUE` of one parameter.
+void write_assignment(ReplyWriter& reply, const Accelerator& accelerator, const State& state,
+                      std::size_t index) noexcept;
+
+/// ` KEY` for each parameter; of a table within the table its first row and its last key.
+void write_keys(ReplyWriter& reply, const Accelerator& accelerator) noexcept;
 
 /// ` WWWWWWWW` for each parameter word.
 void write_words(ReplyWriter& reply, const Accelerator& accelerator, const Words& words) noexcept;

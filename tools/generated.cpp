@@ -21,20 +21,27 @@ namespace
 
 using namespace protocol; // NOLINT(google-build-using-namespace): prints its tables
 
-/// A field of a word, with its parameter.
+/// A field of a word: bits `first` and up of the parameter of that key.
 struct Field
 {
-    const Parameter* parameter;
+    std::string_view key;
     Slice slice;
+    bool whole; ///< the parameter stands nowhere else
+    int first;
 };
 
 std::vector<Field> fields_of_word(const Accelerator& accelerator, std::size_t word)
 {
     std::vector<Field> fields;
+    std::string_view key;
     for (const Parameter& parameter : accelerator.parameters) {
+        if (!parameter.is_tail())
+            key = parameter.key;
+        const bool whole =
+            parameter.slice_count == 1 && parameter.tail_bits == 0 && !parameter.is_tail();
         for (const Slice& slice : parameter.placement())
             if (slice.word == word)
-                fields.push_back({&parameter, slice});
+                fields.push_back({key, slice, whole, slice.shift + parameter.tail_bits});
     }
     std::ranges::sort(fields,
                       [](const Field& a, const Field& b) { return a.slice.msb > b.slice.msb; });
@@ -68,6 +75,33 @@ std::string cell(std::string_view text)
     return result;
 }
 
+bool is_of_first_row(const Parameter& parameter)
+{
+    const std::string_view row = parameter.key.substr(0, parameter.key.find('.'));
+    return row.ends_with('1') && !detail::is_digit(row[row.size() - 2]);
+}
+
+/// The key, or `S1.X` … `S14.X` for a column of a table within the table.
+std::string key_range(const Accelerator& accelerator, const Parameter& parameter)
+{
+    if (!parameter.is_row())
+        return std::string(parameter.key);
+    const std::size_t dot = parameter.key.find('.');
+    const std::string_view table = parameter.key.substr(0, dot - 1);
+    const std::string_view column = parameter.key.substr(dot);
+    std::string_view last;
+    for (const Parameter& other : accelerator.parameters)
+        if (other.key.starts_with(table) && other.key.ends_with(column) &&
+            detail::is_digit(other.key[table.size()]))
+            last = other.key;
+    return fmt::format("{} to {}", parameter.key, last);
+}
+
+std::string place_of(const Parameter& parameter)
+{
+    return format_name(parameter.format) + (parameter.slice_count == 0 ? "; in no register" : "");
+}
+
 std::string upper(std::string_view text)
 {
     std::string result(text);
@@ -83,13 +117,12 @@ std::string parameter_words(const Accelerator& accelerator)
     for (std::size_t word = 0; word < accelerator.word_count; ++word) {
         std::string fields;
         for (const Field& field : fields_of_word(accelerator, word)) {
-            const bool part = field.parameter->slice_count > 1;
             const std::string bits =
-                part ? fmt::format("{{{}:{}}}", field.slice.shift + field.slice.width() - 1,
-                                   field.slice.shift)
-                     : "";
-            fields += fmt::format("{}{}{}[{}:{}]", fields.empty() ? "" : " ", field.parameter->key,
-                                  bits, field.slice.msb, field.slice.lsb);
+                field.whole
+                    ? ""
+                    : fmt::format("{{{}:{}}}", field.first + field.slice.width() - 1, field.first);
+            fields += fmt::format("{}{}{}[{}:{}]", fields.empty() ? "" : " ", field.key, bits,
+                                  field.slice.msb, field.slice.lsb);
         }
         page += fmt::format("| {} | 0x{:02X} | {} |\n", word,
                             accelerator.first_word_offset + 4 * word, fields);
@@ -145,10 +178,14 @@ std::string parameters_section()
             fmt::format("\nParameters of `{}`:\n\n| key | meaning | unit | range | format, bits | "
                         "group | default |\n| --- | --- | --- | --- | --- | --- | --- |\n",
                         accelerator->name);
-        for (const Parameter& parameter : accelerator->parameters)
-            text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", parameter.key,
-                                parameter.meaning, parameter.unit, range_of(parameter),
-                                format_name(parameter.format), parameter.group, parameter.initial);
+        for (const Parameter& parameter : accelerator->parameters) {
+            if (parameter.is_tail() || (parameter.is_row() && !is_of_first_row(parameter)))
+                continue;
+            text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n",
+                                key_range(*accelerator, parameter), parameter.meaning,
+                                parameter.unit, range_of(parameter), place_of(parameter),
+                                parameter.group, parameter.initial);
+        }
     }
     return text + "\n";
 }
@@ -212,16 +249,22 @@ std::string systemverilog_package()
         text += fmt::format("\n  // {}: {}\n", accelerator->name, accelerator->summary);
         text += fmt::format("  localparam int {}_KIND = {};\n", prefix, accelerator->kind);
         text += fmt::format("  localparam int {}_WORDS = {};\n", prefix, accelerator->word_count);
-        for (const Parameter& parameter : accelerator->parameters) {
+        for (std::size_t i = 0; i < accelerator->parameters.size(); ++i) {
+            const Parameter& parameter = accelerator->parameters[i];
+            if (parameter.is_tail() || parameter.slice_count == 0)
+                continue;
             std::string slices;
-            for (const Slice& slice : parameter.placement())
-                slices += fmt::format("{}words[{}][{}:{}]", slices.empty() ? "" : ", ", slice.word,
-                                      slice.msb, slice.lsb);
+            for (std::size_t part = i; part <= i + (parameter.tail_bits > 0 ? 1 : 0); ++part)
+                for (const Slice& slice : accelerator->parameters[part].placement())
+                    slices += fmt::format("{}words[{}][{}:{}]", slices.empty() ? "" : ", ",
+                                          slice.word, slice.msb, slice.lsb);
+            std::string name(parameter.key);
+            std::ranges::replace(name, '.', '_');
             text += fmt::format(
                 "  function automatic logic {}[{}:0] {}_{}(input logic [31:0] words[{}_WORDS]);\n"
                 "    return {{{}}};\n  endfunction\n",
                 parameter.format.is_signed ? "signed " : "", parameter.format.width() - 1,
-                accelerator->name, parameter.key, prefix, slices);
+                accelerator->name, name, prefix, slices);
         }
     }
     return text + "\nendpackage\n";

@@ -5,7 +5,7 @@
 /// §5.1.2.
 #pragma once
 
-#include "protocol/parameters.hpp"
+#include "protocol/parameter_table.hpp"
 
 namespace raymarch::protocol::marcher
 {
@@ -71,6 +71,7 @@ inline constexpr Accelerator description = {
     .clock_hz = 100'000'000,
     .parameters = parameters,
     .fields = fields.span(),
+    .frame = frame_of(parameters),
     .presets = presets,
     .camera =
         OrbitCamera{.forward = {FX, FY, FZ}, .right = {RX, RY, RZ}, .up = {UX, UY, UZ}, .zoom = ZM},
