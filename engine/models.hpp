@@ -3,6 +3,7 @@
 /// The registry of models: one line an accelerator, beside protocol/accelerators.hpp.
 #pragma once
 
+#include "engine/mandelbulb/mandelbulb.hpp"
 #include "engine/marcher/marcher.hpp"
 #include "engine/model.hpp"
 #include "protocol/accelerators.hpp"
@@ -14,6 +15,7 @@ namespace raymarch::engine
 
 inline constexpr std::array models = {
     Model{&protocol::marcher::description, marcher::draw_row, marcher::frame_cycles},
+    Model{&protocol::mandelbulb::description, mandelbulb::draw_row, mandelbulb::frame_cycles},
 };
 
 /// The model of a description that stands in protocol::accelerators.

@@ -3,6 +3,7 @@
 /// The registry of descriptions: one line an accelerator.
 #pragma once
 
+#include "protocol/accelerators/mandelbulb.hpp"
 #include "protocol/accelerators/marcher.hpp"
 #include "protocol/parameters.hpp"
 
@@ -11,6 +12,7 @@ namespace raymarch::protocol
 
 inline constexpr std::array accelerators = {
     &marcher::description,
+    &mandelbulb::description,
 };
 
 /// What is active where neither the hardware nor the user says otherwise.

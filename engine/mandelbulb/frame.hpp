@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 
 namespace raymarch::engine::mandelbulb
 {
@@ -37,6 +38,11 @@ struct Frame
     Direction up{};
     bool operator==(const Frame&) const = default;
 };
+
+/// Unpacks the words. A number outside its range counts as the nearest that is inside.
+[[nodiscard]] Frame latch(std::span<const std::uint32_t> words) noexcept;
+
+inline constexpr int min_kept_bits = 8;
 
 /// k where the frame leaves it open: enough for N steps, and what one DSP slice multiplies.
 [[nodiscard]] constexpr int automatic_kept_bits(int steps) noexcept

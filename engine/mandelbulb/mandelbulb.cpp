@@ -57,4 +57,16 @@ std::uint64_t frame_cycles(const Frame& frame, std::span<const PixelCost> costs,
     return passes * ((evaluations + units - 1) / units + stages);
 }
 
+void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
+              std::span<PixelCost> costs) noexcept
+{
+    draw_row(latch(words), row, pixels, costs);
+}
+
+std::uint64_t frame_cycles(WordSpan words, RowOf /*last_row*/, std::span<const PixelCost> costs,
+                           unsigned units) noexcept
+{
+    return frame_cycles(latch(words), costs, units);
+}
+
 } // namespace raymarch::engine::mandelbulb
