@@ -4,6 +4,7 @@
 #pragma once
 
 #include "engine/fractal/fractal.hpp"
+#include "engine/mandelbulb/mandelbulb.hpp"
 #include "engine/marcher/marcher.hpp"
 #include "engine/model.hpp"
 #include "engine/sphere/sphere.hpp"
@@ -21,6 +22,7 @@ inline constexpr std::array models = {
           fractal::frames_of_a_still},
     Model{&protocol::sphere::description, sphere::draw_row, sphere::frame_cycles, sphere::finish},
     Model{&protocol::whitted::description, whitted::draw_row, whitted::frame_cycles},
+    Model{&protocol::mandelbulb::description, mandelbulb::draw_row, mandelbulb::frame_cycles},
 };
 
 /// The model of a description that stands in protocol::accelerators.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "protocol/accelerators/fractal.hpp"
+#include "protocol/accelerators/mandelbulb.hpp"
 #include "protocol/accelerators/marcher.hpp"
 #include "protocol/accelerators/sphere.hpp"
 #include "protocol/accelerators/whitted.hpp"
@@ -17,6 +18,7 @@ inline constexpr std::array accelerators = {
     &fractal::description,
     &sphere::description,
     &whitted::description,
+    &mandelbulb::description,
 };
 
 /// What is active where neither the hardware nor the user says otherwise.
