@@ -21,8 +21,8 @@ inline constexpr std::array models = {
     Model{&protocol::fractal::description, fractal::draw_row, fractal::frame_cycles, nullptr,
           fractal::frames_of_a_still},
     Model{&protocol::sphere::description, sphere::draw_row, sphere::frame_cycles, sphere::finish},
-    Model{&protocol::whitted::description, whitted::draw_row, whitted::frame_cycles},
     Model{&protocol::mandelbulb::description, mandelbulb::draw_row, mandelbulb::frame_cycles},
+    Model{&protocol::whitted::description, whitted::draw_row, whitted::frame_cycles},
 };
 
 /// The model of a description that stands in protocol::accelerators.

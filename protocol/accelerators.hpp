@@ -17,8 +17,8 @@ inline constexpr std::array accelerators = {
     &marcher::description,
     &fractal::description,
     &sphere::description,
-    &whitted::description,
     &mandelbulb::description,
+    &whitted::description,
 };
 
 /// What is active where neither the hardware nor the user says otherwise.
