@@ -114,14 +114,13 @@ Result<std::unique_ptr<PacketSocket>> PacketSocket::open(const std::string& inte
 
 Result<void> PacketSocket::send(std::span<const std::uint8_t> frame)
 {
-    using namespace std::chrono_literals;
-    const auto deadline = Clock::now() + 1s;
+    const auto deadline = Clock::now() + std::chrono::seconds(1);
     while (::send(fd_.get(), frame.data(), frame.size(), 0) < 0) {
         const bool full = errno == EAGAIN || errno == ENOBUFS; // the socket, the interface's queue
         if (errno != EINTR && !(full && Clock::now() < deadline))
             return fail(errno_error(ErrorKind::InputOutput, "send a frame on", interface_));
         if (full) // of the interface's queue poll knows nothing, so it is only a short pause
-            wait_for(fd_.get(), errno == EAGAIN ? POLLOUT : short{0}, 1ms);
+            wait_for(fd_.get(), errno == EAGAIN ? POLLOUT : short{0}, std::chrono::milliseconds(1));
     }
     return {};
 }
