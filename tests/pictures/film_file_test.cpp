@@ -5,6 +5,7 @@
 
 #include "pictures/picture_file.hpp"
 #include "tests/fakes/temporary_folder.hpp"
+#include "tests/pictures/file_size_limit.hpp"
 #include "tests/pictures/test_pictures.hpp"
 
 #include <gtest/gtest.h>
@@ -160,6 +161,30 @@ TEST(Film, TwoAtOnceUnderOneName)
     EXPECT_EQ(names_in(folder / ""), Names{"f_0000.ppm"});
     EXPECT_EQ(test::read_text(folder / "f_0000.ppm"),
               text_of(encode(noise(size, 5, 1), PictureFormat::Ppm).value()));
+}
+
+TEST(Film, OnAFullDiskThereIsNone)
+{
+    for (const char* name : {"f.gif", "f.mp4", "f.ppm"}) {
+        const test::TemporaryFolder folder;
+        const test::FileSizeLimit limit(2'000);
+        auto film = open_film(folder / name, {64, 64}, 25);
+        if (!film && film.error().kind == ErrorKind::Unavailable)
+            continue;
+        ASSERT_TRUE(film) << film.error().message;
+        Result<void> result;
+        for (std::uint32_t i = 0; i < 10 && result; ++i)
+            result = (*film)->add(noise({64, 64}, 200, i));
+        if (result)
+            result = (*film)->finish();
+        ASSERT_FALSE(result) << name;
+        EXPECT_EQ(result.error().kind, ErrorKind::InputOutput);
+        EXPECT_NE(result.error().message.find(folder / std::string(name).substr(0, 1)),
+                  std::string::npos)
+            << result.error().message;
+        film->reset();
+        EXPECT_EQ(names_in(folder / ""), Names{});
+    }
 }
 
 } // namespace

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "pictures/film_writers.hpp"
 #include "pictures/palette.hpp"
-#include "pictures/unfinished_file.hpp"
 #include "tests/fakes/temporary_folder.hpp"
 #include "tests/pictures/gif_reader.hpp"
 #include "tests/pictures/test_pictures.hpp"
 
 #include <gtest/gtest.h>
-
-#include <fstream>
 
 namespace raymarch::pictures
 {
@@ -115,19 +112,6 @@ TEST(Gif, IsThereWhenItIsWhole)
     EXPECT_EQ(names_in(folder / ""), Names{"f.gif"});
     EXPECT_EQ(test::read_text(folder / "f.gif"), "older");
     EXPECT_NE(write_gif(folder / "f.gif", {noise({8, 8}, 4)}, 10), "older");
-}
-
-TEST(Gif, AFullDiskIsSaid)
-{
-    if (!std::ofstream("/dev/full"))
-        GTEST_SKIP() << "no /dev/full";
-    // The hidden file cannot be put on a full disk; the file that it writes to can be asked.
-    auto file = OutputFile::open("/dev/full", "f.gif");
-    ASSERT_TRUE(file);
-    const std::vector<std::uint8_t> bytes(100'000);
-    const auto written = file->write(bytes);
-    ASSERT_FALSE(written);
-    EXPECT_EQ(written.error().message, "write f.gif: No space left on device");
 }
 
 } // namespace
