@@ -23,8 +23,9 @@ Result<std::unique_ptr<FilmWriter>> open_sequence(const std::string& path, engin
 /// the whole hundredth before their time, so that no error grows.
 [[nodiscard]] constexpr std::uint16_t gif_delay(std::uint64_t number, unsigned frames_per_second)
 {
-    const auto begin = [=](std::uint64_t frame) { return frame * 100 / frames_per_second; };
-    return static_cast<std::uint16_t>(begin(number + 1) - begin(number));
+    const std::uint64_t begin = number * 100 / frames_per_second;
+    const std::uint64_t end = (number + 1) * 100 / frames_per_second;
+    return static_cast<std::uint16_t>(end - begin);
 }
 
 } // namespace raymarch::pictures

@@ -29,10 +29,9 @@ Map make_map(const GifFrame& frame)
     while (size < frame.colours)
         size *= 2;
     Map map(::GifMakeMapObject(size, nullptr));
-    for (int i = 0; map && i < frame.colours; ++i) {
-        const std::uint8_t* const colour = frame.palette + 3 * i;
+    const std::uint8_t* colour = frame.palette;
+    for (int i = 0; map && i < frame.colours; ++i, colour += 3)
         map->Colors[i] = {colour[0], colour[1], colour[2]};
-    }
     return map;
 }
 

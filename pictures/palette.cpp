@@ -2,6 +2,7 @@
 #include "pictures/palette.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <span>
 
 namespace raymarch::pictures
@@ -64,6 +65,7 @@ std::vector<Entry> count_colours(const engine::Image& image)
 /// 2^32 pixels of 255 squared are 2^48: no sum overflows.
 Group group_of(std::span<Entry> entries) noexcept
 {
+    assert(!entries.empty());
     Group group{.entries = entries};
     for (std::size_t channel = 0; channel < channels; ++channel) {
         std::uint64_t pixels = 0;

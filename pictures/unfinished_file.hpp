@@ -54,7 +54,10 @@ class OutputFile
   private:
     struct Close
     {
-        void operator()(std::FILE* file) const noexcept { std::fclose(file); }
+        void operator()(std::FILE* file) const noexcept
+        {
+            static_cast<void>(std::fclose(file)); // abandoned: what it says does not matter
+        }
     };
     using File = std::unique_ptr<std::FILE, Close>;
     OutputFile(File file, std::string name) : file_(std::move(file)), name_(std::move(name)) {}

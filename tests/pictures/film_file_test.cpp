@@ -60,9 +60,10 @@ TEST(Film, ASequenceIsAPictureForEachFrame)
 
 TEST(Film, ASequenceOfPng)
 {
+    if (!test::has_picture_module)
+        GTEST_SKIP() << "the picture module is not built";
     const auto expected = encode(noise(size, 50), PictureFormat::Png);
-    if (!expected)
-        GTEST_SKIP() << expected.error().message;
+    ASSERT_TRUE(expected) << expected.error().message;
     const test::TemporaryFolder folder;
     auto film = open_film(folder / "f.png", size, 25);
     ASSERT_TRUE(film) << film.error().message;

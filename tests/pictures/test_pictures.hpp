@@ -15,6 +15,10 @@
 namespace raymarch::test
 {
 
+/// Which modules this build has: one that is built and not found is a failure, not a test to skip.
+inline constexpr bool has_picture_module = RAYMARCH_HAS_PICTURES;
+inline constexpr bool has_video_module = RAYMARCH_HAS_VIDEO;
+
 /// Each pixel by `colour(x, y)`.
 template <typename Function>
 engine::Image picture(engine::PictureSize size, Function colour)
