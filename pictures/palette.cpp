@@ -21,13 +21,14 @@ struct Entry
 };
 
 /// Colours that will be one. The error is the sum over the pixels of the squared distance from the
-/// mean, in `channel`, the one where it is greatest; `mean` is rounded down.
+/// mean, in `channel`, the one where it is greatest.
 struct Group
 {
     std::span<Entry> entries;
+    std::uint64_t pixels = 0;
+    std::array<std::uint64_t, channels> sums{}; ///< over the pixels
     std::uint64_t error = 0;
     std::size_t channel = 0;
-    Colour mean{};
 };
 
 std::uint32_t pack(const std::uint8_t* rgb) noexcept
@@ -65,24 +66,25 @@ std::vector<Entry> count_colours(const engine::Image& image)
 /// 2^32 pixels of 255 squared are 2^48: no sum overflows.
 Group group_of(std::span<Entry> entries) noexcept
 {
-    assert(!entries.empty());
     Group group{.entries = entries};
-    for (std::size_t channel = 0; channel < channels; ++channel) {
-        std::uint64_t pixels = 0;
-        std::uint64_t sum = 0;
-        std::uint64_t squares = 0;
-        for (const Entry& entry : entries) {
+    std::array<std::uint64_t, channels> squares{};
+    for (const Entry& entry : entries) {
+        group.pixels += entry.pixels;
+        for (std::size_t channel = 0; channel < channels; ++channel) {
             const std::uint64_t value = channel_of(entry.packed, channel);
-            pixels += entry.pixels;
-            sum += entry.pixels * value;
-            squares += entry.pixels * value * value;
+            group.sums[channel] += entry.pixels * value;
+            squares[channel] += entry.pixels * value * value;
         }
-        // The sum of squares around the mean, which is a fraction, around its whole part first:
-        // sum squared would need more than 64 bits.
-        const std::uint64_t mean = sum / pixels;
-        const std::uint64_t rest = sum - mean * pixels; // less than `pixels`
-        const std::uint64_t error = squares - mean * (sum + rest) - rest * rest / pixels;
-        group.mean[channel] = static_cast<std::uint8_t>(mean);
+    }
+    assert(group.pixels > 0);
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+        // The mean is a fraction; its whole part comes off first, for the sum squared would need
+        // more than 64 bits.
+        const std::uint64_t sum = group.sums[channel];
+        const std::uint64_t mean = sum / group.pixels;
+        const std::uint64_t rest = sum % group.pixels;
+        const std::uint64_t error =
+            squares[channel] - mean * (sum + rest) - rest * rest / group.pixels;
         if (error > group.error) {
             group.error = error;
             group.channel = channel;
@@ -95,11 +97,11 @@ Group group_of(std::span<Entry> entries) noexcept
 /// when the error is not 0.
 std::size_t cut(const Group& group)
 {
-    const auto is_low = [&](const Entry& entry) {
-        return channel_of(entry.packed, group.channel) <= group.mean[group.channel];
-    };
+    const std::uint64_t mean = group.sums[group.channel] / group.pixels;
     const auto middle =
-        std::partition(group.entries.begin(), group.entries.end(), is_low); // which half is all
+        std::partition(group.entries.begin(), group.entries.end(), [&](const Entry& entry) {
+            return channel_of(entry.packed, group.channel) <= mean;
+        });
     return static_cast<std::size_t>(middle - group.entries.begin());
 }
 
@@ -107,15 +109,8 @@ std::size_t cut(const Group& group)
 std::uint32_t mean_of(const Group& group) noexcept
 {
     std::uint32_t packed = 0;
-    for (std::size_t channel = 0; channel < channels; ++channel) {
-        std::uint64_t pixels = 0;
-        std::uint64_t sum = 0;
-        for (const Entry& entry : group.entries) {
-            pixels += entry.pixels;
-            sum += std::uint64_t{entry.pixels} * channel_of(entry.packed, channel);
-        }
-        packed = packed << 8 | static_cast<std::uint32_t>((sum + pixels / 2) / pixels);
-    }
+    for (const std::uint64_t sum : group.sums)
+        packed = packed << 8 | static_cast<std::uint32_t>((sum + group.pixels / 2) / group.pixels);
     return packed;
 }
 

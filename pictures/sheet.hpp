@@ -31,7 +31,7 @@ struct SheetLayout
 
 /// How large a picture is in a cell, with its aspect kept: as it is when it fits; smaller when it
 /// does not; larger only when the cell has room for four times its size or more, by the greatest
-/// whole factor.
+/// whole factor. Both are at least 1x1.
 [[nodiscard]] engine::PictureSize size_in_cell(engine::PictureSize picture,
                                                engine::PictureSize cell);
 
