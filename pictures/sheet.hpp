@@ -21,7 +21,7 @@ struct SheetEntry
 /// Lengths in pixels.
 struct SheetLayout
 {
-    std::uint16_t columns = 0;          ///< 0: the fewest that are not less than the rows
+    std::uint16_t columns = 0;          ///< 0: the least whose square is not less than the entries
     engine::PictureSize cell{320, 240}; ///< for the picture; the caption stands below it
     std::uint16_t gap = 12;             ///< around the cells and between them
     std::uint16_t text_scale = 2;       ///< of a dot of the 5x7 letters; 0: no captions

@@ -25,7 +25,7 @@ engine::Image shown(const IndexedImage& indexed)
 
 TEST(Palette, UpTo256ColoursAreKept)
 {
-    for (const std::size_t colours : {1, 2, 3, 17, 255, 256}) {
+    for (const std::size_t colours : {1U, 2U, 3U, 17U, 255U, 256U}) {
         const engine::Image image = test::picture({64, 8}, [&](std::size_t x, std::size_t y) {
             const std::size_t colour = (y * 64 + x) % colours;
             return Colour{byte(colour * 3), byte(200 - colour), byte(colour)};
