@@ -6,6 +6,7 @@
 
 #include "engine/sphere/frame.hpp"
 #include "motion/inputs.hpp"
+#include "protocol/parameters.hpp"
 
 #include <cstdint>
 
@@ -31,5 +32,11 @@ struct World
 /// its registers go, and not through the screen plane; Widen and Narrow move that plane. Turning
 /// does nothing: the camera looks along z. Of two opposite inputs neither counts.
 [[nodiscard]] World step(const World& world, Inputs inputs) noexcept;
+
+/// The values as the design's registers hold them: the hardware's, unless corrected, lose the bits
+/// above 16, and its limits are theirs; otherwise the limits are the parameters' range.
+[[nodiscard]] World enter(const protocol::State& state) noexcept;
+/// Writes the first sphere's x, the camera and the screen plane.
+void leave(const World& world, protocol::State& state) noexcept;
 
 } // namespace raymarch::motion::sphere

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "motion/sphere.hpp"
 
+#include "protocol/accelerators/sphere.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
+#include <utility>
 
 namespace raymarch::motion::sphere
 {
@@ -90,6 +93,40 @@ TEST(SphereMotion, TheCameraStaysInRange)
     beyond.eye.z = 2000;
     EXPECT_EQ(after(beyond, Input::Forward), beyond);
     EXPECT_EQ(after(beyond, Input::Back).eye.z, 1990);
+}
+
+namespace table = protocol::sphere;
+
+TEST(SphereMotion, TheDefaultsArePowerUp)
+{
+    EXPECT_EQ(enter(protocol::initial_state(table::description)), World{});
+}
+
+TEST(SphereMotion, EntersAndLeaves)
+{
+    protocol::State state = protocol::initial_state(table::description);
+    state.codes[table::S1] = 540;
+    leave(step(enter(state), Inputs(Input::Animate) | Input::Forward | Input::Narrow), state);
+    protocol::State expected = protocol::initial_state(table::description);
+    expected.codes[table::S1] = 100;
+    expected.codes[table::EZ] = 10;
+    expected.codes[table::F] = 1010;
+    EXPECT_EQ(state, expected);
+}
+
+TEST(SphereMotion, TheHardwaresRegistersHaveNoSign)
+{
+    protocol::State state = protocol::initial_state(table::description);
+    state.codes[table::EX] = -1;
+    EXPECT_EQ(enter(state).eye.x, 65'535);
+    EXPECT_EQ(enter(state).low, 0);
+    for (const auto& [key, value] : {std::pair{table::MODEL, 3}, std::pair{table::FAULTS, 2}}) {
+        protocol::State other = state;
+        other.codes[key] = value;
+        EXPECT_EQ(enter(other).eye.x, -1);
+        EXPECT_EQ(enter(other).low, -65'536);
+        EXPECT_EQ(enter(other).high, 65'535);
+    }
 }
 
 } // namespace
