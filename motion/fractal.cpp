@@ -91,7 +91,7 @@ World step(const World& world, Inputs inputs) noexcept
 {
     World next = check(tick(world, inputs));
     if (inputs.has(Input::Animate))
-        ++next.hue;
+        next.hue = static_cast<std::uint8_t>(next.hue + 1);
     return next;
 }
 
