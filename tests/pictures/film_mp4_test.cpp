@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 
 namespace raymarch::pictures
 {
@@ -48,7 +49,7 @@ TEST(Mp4, CanBeReadBack)
     if (!test::has_video_module)
         GTEST_SKIP() << "the video module is not built: no videoio here";
     const test::TemporaryFolder folder;
-    const std::string path = folder / "a film: 1.mp4"; // no protocol "a film"
+    const std::string path = folder / "film 1.mp4";
     for (const engine::PictureSize size : {engine::PictureSize{160, 120}, {33, 17}, {1, 1}}) {
         auto film = open_film(path, size, 30);
         ASSERT_TRUE(film) << film.error().message;
@@ -57,7 +58,7 @@ TEST(Mp4, CanBeReadBack)
                 test::picture(size, [&](std::size_t, std::size_t) { return colour; })));
         ASSERT_TRUE((*film)->finish());
         film->reset();
-        EXPECT_EQ(names_in(folder / ""), Names{"a film: 1.mp4"});
+        EXPECT_EQ(names_in(folder / ""), Names{"film 1.mp4"});
         EXPECT_GT(test::read_text(path).size(), 100U);
 
         const Video video = read_video(path);
@@ -86,6 +87,19 @@ TEST(Mp4, AbandonedLeavesNothing)
         ASSERT_TRUE((*film)->add(test::noise({32, 32}, 9)));
     }
     EXPECT_EQ(names_in(folder / ""), Names{});
+}
+
+TEST(Mp4, AColonInTheNameMakesNoAddress)
+{
+    if (!test::has_video_module)
+        GTEST_SKIP() << "the video module is not built: no videoio here";
+    const test::TemporaryFolder folder;
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder / "");
+    auto film = open_film("film:1.mp4", {32, 32}, 30);
+    EXPECT_TRUE(film && (*film)->add(test::noise({32, 32}, 9)) && (*film)->finish());
+    std::filesystem::current_path(before);
+    EXPECT_EQ(names_in(folder / ""), Names{"film:1.mp4"});
 }
 
 TEST(Mp4, WithoutTheModuleTheErrorNamesWhatIsThere)
