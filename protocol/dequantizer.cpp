@@ -30,7 +30,7 @@ Magnitude magnitude_of(const Parameter& parameter, WideCode code) noexcept
     auto low = static_cast<std::uint64_t>(code.tail);
     if (negative) { // the two's complement of both pieces together
         upper = ~upper + (low == 0 ? 1 : 0);
-        low = tail == 0 ? 0 : (std::uint64_t{1} << tail) - low;
+        low = low == 0 ? 0 : (std::uint64_t{1} << tail) - low;
     }
     if (bits == 0)
         return {upper, 0};

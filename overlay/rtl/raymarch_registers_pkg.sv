@@ -71,6 +71,44 @@ package raymarch_registers_pkg;
     return {words[0][31:30]};
   endfunction
 
+  // fractal: four fractal scenes in sixteen greys, bricks, dither, checkerboard (source 001)
+  localparam int FRACTAL_KIND = 1;
+  localparam int FRACTAL_WORDS = 7;
+  function automatic logic signed [21:0] fractal_X(input logic [31:0] words[FRACTAL_WORDS]);
+    return {words[0][21:0]};
+  endfunction
+  function automatic logic signed [21:0] fractal_Y(input logic [31:0] words[FRACTAL_WORDS]);
+    return {words[1][21:0]};
+  endfunction
+  function automatic logic signed [21:0] fractal_Z(input logic [31:0] words[FRACTAL_WORDS]);
+    return {words[2][21:0]};
+  endfunction
+  function automatic logic signed [21:0] fractal_FX(input logic [31:0] words[FRACTAL_WORDS]);
+    return {words[3][21:0]};
+  endfunction
+  function automatic logic signed [21:0] fractal_FY(input logic [31:0] words[FRACTAL_WORDS]);
+    return {words[4][21:0]};
+  endfunction
+  function automatic logic signed [21:0] fractal_FZ(input logic [31:0] words[FRACTAL_WORDS]);
+    return {words[5][21:0]};
+  endfunction
+  function automatic logic [1:0] fractal_SCENE(input logic [31:0] words[FRACTAL_WORDS]);
+    return {words[6][1:0]};
+  endfunction
+  function automatic logic [0:0] fractal_DITHER(input logic [31:0] words[FRACTAL_WORDS]);
+    return {words[6][4:4]};
+  endfunction
+  function automatic logic [0:0] fractal_TEXTURE(input logic [31:0] words[FRACTAL_WORDS]);
+    return {words[6][5:5]};
+  endfunction
+  function automatic logic [0:0] fractal_CHECKER(input logic [31:0] words[FRACTAL_WORDS]);
+    return {words[6][6:6]};
+  endfunction
+  function automatic logic [0:0] fractal_COLOUR(input logic [31:0] words[FRACTAL_WORDS]);
+    return {words[6][7:7]};
+  endfunction
+  function automatic logic [7:0] fractal_HUE(input logic [31:0] words[FRACTAL_WORDS]);
+    return {words[6][15:8]};
   // whitted: spheres and planes with shadows, reflections and anti-aliasing in 12.12 (source 004)
   localparam int WHITTED_KIND = 4;
   localparam int WHITTED_WORDS = 88;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/dequantizer.hpp"
 
+#include "protocol/accelerators/mandelbulb.hpp"
 #include "protocol/accelerators/marcher.hpp"
 #include "tests/fakes/random.hpp"
 
@@ -121,6 +122,15 @@ TEST(Dequantizer, ACodeBeyondTheRangeIsShownAsIfTheRangeWereTheFormat)
     const Parameter& zoom = marcher::parameters[marcher::ZM];
     EXPECT_EQ(to_text(zoom, 0xFFFF'FFFF).view(), "255.99999994"); // 256 - 2^-24
     EXPECT_EQ(to_text(zoom, std::int64_t{11} << 24).view(), "11");
+}
+
+TEST(Dequantizer, ANegativeNumberWithAnEmptyTail)
+{
+    const Parameter& position = mandelbulb::parameters[mandelbulb::Y]; // Q8.64, the tail has 32 bits
+    EXPECT_EQ(to_text(position, -(std::int64_t{1} << 32), 0).view(), "-1");
+    EXPECT_EQ(to_text(position, -1, 0).view(), "-0.0000000002328306437"); // 2^-32
+    EXPECT_EQ(to_text(position, -1, 0xFFFF'FFFF).view(), "-0.00000000000000000005");
+    EXPECT_EQ(to_text(position, -(std::int64_t{5} << 31), 0).view(), "-2.5");
 }
 
 } // namespace
