@@ -236,7 +236,7 @@ struct RowKeys
 /// `pattern` once for each row of `Keys`, each `words_per_row` words further on than the one
 /// before. Defaults may be changed row by row before the table is completed.
 template <typename Keys>
-consteval auto repeated_rows(const std::array<Parameter, Keys::columns>& pattern,
+constexpr auto repeated_rows(const std::array<Parameter, Keys::columns>& pattern,
                              std::uint16_t words_per_row)
 {
     std::array<Parameter, Keys::rows * Keys::columns> table{};
@@ -253,7 +253,7 @@ consteval auto repeated_rows(const std::array<Parameter, Keys::columns>& pattern
 
 /// Tables one behind the other.
 template <std::size_t... N>
-consteval auto joined(const std::array<Parameter, N>&... tables)
+constexpr auto joined(const std::array<Parameter, N>&... tables)
 {
     std::array<Parameter, (N + ...)> all{};
     auto at = all.begin();

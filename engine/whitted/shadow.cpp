@@ -56,10 +56,11 @@ WayToLight way_to_light(const Vector& point, const Vector& light) noexcept
     const Vector way = map(light - point, [](Word c) { return shift_right(c, light_shift); });
     const Wide squared = dot(way, way);
     const Word n = root_of(squared);
-    constexpr int unit = 1 << light_shift;
+    constexpr std::int32_t unit = 1 << light_shift;
+    constexpr std::int64_t squared_unit = 1 << (2 * light_shift);
     return {.direction = map(way, [=](Word c) { return divide(c, n); }),
             .distance = Word::from_raw(n.raw() * unit),
-            .squared_distance = Wide::from_raw(squared.raw() * (unit * unit))};
+            .squared_distance = Wide::from_raw(squared.raw() * squared_unit)};
 }
 
 ShadowSearch search_shadow(const Frame& frame, const Vector& point, const WayToLight& way,

@@ -182,7 +182,7 @@ inline constexpr Initials<plane::Keys::rows, plane::Keys::columns> initial_plane
 
 /// The rows of `pattern` with a default each.
 template <typename Keys>
-consteval auto rows_with(const std::array<Parameter, Keys::columns>& pattern,
+constexpr auto rows_with(const std::array<Parameter, Keys::columns>& pattern,
                          std::uint16_t words_per_row,
                          const Initials<Keys::rows, Keys::columns>& initials)
 {
