@@ -109,6 +109,253 @@ package raymarch_registers_pkg;
   endfunction
   function automatic logic [7:0] fractal_HUE(input logic [31:0] words[FRACTAL_WORDS]);
     return {words[6][15:8]};
+  endfunction
+
+  // sphere: spheres and lights by integer intersection, shadows, inverse square (source 002)
+  localparam int SPHERE_KIND = 2;
+  localparam int SPHERE_WORDS = 50;
+  function automatic logic [1:0] sphere_MODEL(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[0][1:0]};
+  endfunction
+  function automatic logic [1:0] sphere_FAULTS(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[0][3:2]};
+  endfunction
+  function automatic logic [0:0] sphere_TINT(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[0][4:4]};
+  endfunction
+  function automatic logic [1:0] sphere_N(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[0][9:8]};
+  endfunction
+  function automatic logic [3:0] sphere_M(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[0][15:12]};
+  endfunction
+  function automatic logic [7:0] sphere_CUTOFF(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[0][23:16]};
+  endfunction
+  function automatic logic [15:0] sphere_D(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[1][31:16]};
+  endfunction
+  function automatic logic [15:0] sphere_K(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[1][15:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_EX(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[2][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_EY(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[3][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_EZ(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[4][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_F(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[5][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_S1_X(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[6][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_S1_Y(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[7][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_S1_Z(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[8][16:0]};
+  endfunction
+  function automatic logic [15:0] sphere_S1_R(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[9][15:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_S2_X(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[10][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_S2_Y(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[11][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_S2_Z(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[12][16:0]};
+  endfunction
+  function automatic logic [15:0] sphere_S2_R(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[13][15:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_S3_X(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[14][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_S3_Y(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[15][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_S3_Z(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[16][16:0]};
+  endfunction
+  function automatic logic [15:0] sphere_S3_R(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[17][15:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L1_X(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[18][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L1_Y(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[19][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L1_Z(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[20][16:0]};
+  endfunction
+  function automatic logic [30:0] sphere_L1_S(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[21][30:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L2_X(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[22][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L2_Y(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[23][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L2_Z(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[24][16:0]};
+  endfunction
+  function automatic logic [30:0] sphere_L2_S(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[25][30:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L3_X(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[26][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L3_Y(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[27][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L3_Z(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[28][16:0]};
+  endfunction
+  function automatic logic [30:0] sphere_L3_S(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[29][30:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L4_X(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[30][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L4_Y(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[31][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L4_Z(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[32][16:0]};
+  endfunction
+  function automatic logic [30:0] sphere_L4_S(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[33][30:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L5_X(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[34][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L5_Y(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[35][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L5_Z(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[36][16:0]};
+  endfunction
+  function automatic logic [30:0] sphere_L5_S(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[37][30:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L6_X(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[38][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L6_Y(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[39][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L6_Z(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[40][16:0]};
+  endfunction
+  function automatic logic [30:0] sphere_L6_S(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[41][30:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L7_X(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[42][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L7_Y(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[43][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L7_Z(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[44][16:0]};
+  endfunction
+  function automatic logic [30:0] sphere_L7_S(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[45][30:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L8_X(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[46][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L8_Y(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[47][16:0]};
+  endfunction
+  function automatic logic signed [16:0] sphere_L8_Z(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[48][16:0]};
+  endfunction
+  function automatic logic [30:0] sphere_L8_S(input logic [31:0] words[SPHERE_WORDS]);
+    return {words[49][30:0]};
+  endfunction
+
+  // mandelbulb: deep-zoom Mandelbulb by 3D CORDIC and BKM (source 003)
+  localparam int MANDELBULB_KIND = 3;
+  localparam int MANDELBULB_WORDS = 27;
+  function automatic logic signed [71:0] mandelbulb_X(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[2][7:0], words[3][31:0], words[4][31:0]};
+  endfunction
+  function automatic logic signed [71:0] mandelbulb_Y(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[2][15:8], words[5][31:0], words[6][31:0]};
+  endfunction
+  function automatic logic signed [71:0] mandelbulb_Z(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[2][23:16], words[7][31:0], words[8][31:0]};
+  endfunction
+  function automatic logic signed [58:0] mandelbulb_FX(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[9][26:0], words[10][31:0]};
+  endfunction
+  function automatic logic signed [58:0] mandelbulb_FY(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[11][26:0], words[12][31:0]};
+  endfunction
+  function automatic logic signed [58:0] mandelbulb_FZ(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[13][26:0], words[14][31:0]};
+  endfunction
+  function automatic logic signed [58:0] mandelbulb_RX(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[15][26:0], words[16][31:0]};
+  endfunction
+  function automatic logic signed [58:0] mandelbulb_RY(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[17][26:0], words[18][31:0]};
+  endfunction
+  function automatic logic signed [58:0] mandelbulb_RZ(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[19][26:0], words[20][31:0]};
+  endfunction
+  function automatic logic signed [58:0] mandelbulb_UX(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[21][26:0], words[22][31:0]};
+  endfunction
+  function automatic logic signed [58:0] mandelbulb_UY(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[23][26:0], words[24][31:0]};
+  endfunction
+  function automatic logic signed [58:0] mandelbulb_UZ(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[25][26:0], words[26][31:0]};
+  endfunction
+  function automatic logic [6:0] mandelbulb_N(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[0][14:8]};
+  endfunction
+  function automatic logic [6:0] mandelbulb_K(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[0][22:16]};
+  endfunction
+  function automatic logic [4:0] mandelbulb_POWER(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[0][28:24]};
+  endfunction
+  function automatic logic [6:0] mandelbulb_I(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[1][6:0]};
+  endfunction
+  function automatic logic [4:0] mandelbulb_B(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[1][12:8]};
+  endfunction
+  function automatic logic [7:0] mandelbulb_STEPS(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[1][23:16]};
+  endfunction
+  function automatic logic [0:0] mandelbulb_FORM(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[0][0:0]};
+  endfunction
+  function automatic logic [0:0] mandelbulb_DERIVATIVE(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[0][1:1]};
+  endfunction
+  function automatic logic [5:0] mandelbulb_SCALE(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[1][29:24]};
+  endfunction
+  function automatic logic [0:0] mandelbulb_COLOUR(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[0][2:2]};
+  endfunction
+  function automatic logic [0:0] mandelbulb_ASPECT(input logic [31:0] words[MANDELBULB_WORDS]);
+    return {words[0][3:3]};
+  endfunction
+
   // whitted: spheres and planes with shadows, reflections and anti-aliasing in 12.12 (source 004)
   localparam int WHITTED_KIND = 4;
   localparam int WHITTED_WORDS = 88;
