@@ -163,12 +163,14 @@ struct PlainBoard final : daemon::Board
     std::unique_ptr<drivers::MappedWindow> page = register_page();
     Result<daemon::RegisterPath> path = daemon::RegisterPath::probe(*page, accelerator);
     daemon::Applied apply(const Words& words) override { return path->apply(words); }
+    bool use(const Accelerator&) override { return false; }
 };
 struct NoStorage final : daemon::Storage
 {
-    void changed(const State&) override {}
-    bool save(const State&) override { return false; }
-    std::optional<State> load() override { return std::nullopt; }
+    void changed(const Accelerator&, const State&) override {}
+    bool save(const Accelerator&, const State&) override { return false; }
+    std::optional<State> load(const Accelerator&) override { return std::nullopt; }
+    std::optional<State> last(const Accelerator&) override { return std::nullopt; }
 };
 struct NoStatus final : daemon::StatusSource
 {

@@ -12,7 +12,9 @@ endif()
 if(RAYMARCH_SANITIZE)
   add_compile_options(-fsanitize=${RAYMARCH_SANITIZE} -fno-omit-frame-pointer
                       -fno-sanitize-recover=all)
-  add_link_options(-fsanitize=${RAYMARCH_SANITIZE})
+  # The sanitizers stand between a program and dlopen, which then does not look where the program's
+  # RUNPATH says; the older RPATH holds for them too.
+  add_link_options(-fsanitize=${RAYMARCH_SANITIZE} -Wl,--disable-new-dtags)
 endif()
 add_compile_definitions(RAYMARCH_VERSION="${PROJECT_VERSION}")
 include_directories(${PROJECT_SOURCE_DIR})

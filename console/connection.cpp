@@ -4,6 +4,7 @@
 #include "drivers/serial_port.hpp"
 #include "drivers/unix_socket.hpp"
 
+#include <fmt/format.h>
 #include <poll.h>
 
 #include <array>
@@ -130,6 +131,16 @@ void Connection::drain(std::chrono::milliseconds quiet)
     while (receive(quiet)) {
     }
     received_.clear();
+}
+
+Result<std::string> ask_and_print(Connection& connection, std::string_view line)
+{
+    auto replies = connection.ask(line);
+    if (!replies)
+        return fail(replies.error());
+    for (const std::string& reply : *replies)
+        fmt::print("{}\n", reply);
+    return std::move(replies->back());
 }
 
 } // namespace raymarch::console

@@ -60,6 +60,9 @@ class Connection
     std::string received_;
 };
 
+/// Asks, prints the reply, and gives its last line: the one beginning OK or ERR.
+[[nodiscard]] Result<std::string> ask_and_print(Connection& connection, std::string_view line);
+
 /// Whether a reply is an ERR.
 [[nodiscard]] inline bool is_err(std::string_view reply) noexcept
 {

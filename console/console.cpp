@@ -28,12 +28,26 @@ namespace fs = std::filesystem;
 /// What completion may offer; libedit's callbacks take no context, so it stands here.
 std::vector<std::string> candidates; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
-const protocol::Accelerator& active = protocol::default_accelerator;
+/// Whose keys complete: what the service said last.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
+const protocol::Accelerator* active = &protocol::default_accelerator;
+
+/// `OK accelerator=NAME …`, the reply to ACCELERATOR and to STATUS.
+void note_accelerator(std::string_view reply)
+{
+    constexpr std::string_view front = "OK accelerator=";
+    if (!reply.starts_with(front))
+        return;
+    const std::string_view name = reply.substr(front.size());
+    if (const auto* const found = protocol::find_accelerator(name.substr(0, name.find(' '))))
+        active = found;
+}
 
 void add_keys(std::vector<std::string>& words, std::string_view behind)
 {
-    for (const protocol::Parameter& parameter : active.parameters)
-        words.push_back(fmt::format("{}{}", parameter.key, behind));
+    for (const protocol::Parameter& parameter : active->parameters)
+        if (!parameter.is_tail())
+            words.push_back(fmt::format("{}{}", parameter.key, behind));
 }
 
 void add_commands(std::vector<std::string>& words)
@@ -44,7 +58,7 @@ void add_commands(std::vector<std::string>& words)
 
 void add_groups(std::vector<std::string>& words)
 {
-    for (const protocol::Parameter& parameter : active.parameters)
+    for (const protocol::Parameter& parameter : active->parameters)
         if (words.empty() || words.back() != parameter.group)
             words.emplace_back(parameter.group);
 }
@@ -62,8 +76,8 @@ std::vector<std::string> words_for(std::string_view line, std::size_t start)
     if (before.ends_with('=')) { // the value of a choice
         const std::size_t key_begin = before.find_last_of(" ,") + 1;
         const std::string_view key = before.substr(key_begin, before.size() - 1 - key_begin);
-        if (const auto index = protocol::find_parameter(active.parameters, key))
-            for (const std::string_view choice : active.parameters[*index].choices)
+        if (const auto index = protocol::find_parameter(active->parameters, key))
+            for (const std::string_view choice : active->parameters[*index].choices)
                 words.emplace_back(choice);
         return words;
     }
@@ -86,11 +100,22 @@ std::vector<std::string> words_for(std::string_view line, std::size_t start)
         add_groups(words);
         break;
     case protocol::CommandId::Preset:
-        for (const protocol::Preset& preset : active.presets)
+        for (const protocol::Preset& preset : active->presets)
             words.emplace_back(preset.name);
         break;
     case protocol::CommandId::Echo:
+    case protocol::CommandId::Animate:
         words = {"on", "off"};
+        break;
+    case protocol::CommandId::Accelerator:
+        for (const protocol::Accelerator* accelerator : protocol::accelerators)
+            words.emplace_back(accelerator->name);
+        break;
+    case protocol::CommandId::Walk:
+        words.assign(protocol::walk_directions.begin(), protocol::walk_directions.end());
+        break;
+    case protocol::CommandId::Turn:
+        words.assign(protocol::turn_directions.begin(), protocol::turn_directions.end());
         break;
     case protocol::CommandId::Help:
         add_commands(words);
@@ -102,7 +127,6 @@ std::vector<std::string> words_for(std::string_view line, std::size_t start)
     case protocol::CommandId::Status:
     case protocol::CommandId::Save:
     case protocol::CommandId::Load:
-    case protocol::CommandId::Accelerator:
     case protocol::CommandId::Version:
     case protocol::CommandId::Ping:
         break;
@@ -152,6 +176,8 @@ int converse(const Endpoint& endpoint)
     if (!connection)
         return report(connection.error());
     const bool person = ::isatty(STDIN_FILENO) != 0;
+    if (const auto replies = connection->ask("ACCELERATOR"))
+        note_accelerator(replies->back());
     if (person)
         fmt::print("HELP explains; Tab completes; Ctrl-D ends.\n");
 
@@ -170,12 +196,11 @@ int converse(const Endpoint& endpoint)
         if (line.find_first_not_of(" \t") == std::string::npos)
             continue;
         add_history(typed);
-        const auto replies = connection->ask(line);
-        if (!replies)
-            return report(replies.error());
-        for (const std::string& reply : *replies)
-            fmt::print("{}\n", reply);
-        refused |= is_err(replies->back());
+        const auto reply = ask_and_print(*connection, line);
+        if (!reply)
+            return report(reply.error());
+        note_accelerator(*reply);
+        refused |= is_err(*reply);
     }
     if (person) {
         fmt::print("\n");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// `raymarchctl render`: the picture that the accelerator draws for a frame, words or a preset.
+#include "console/picture_output.hpp"
 #include "console/subcommands.hpp"
 #include "console/words.hpp"
-#include "drivers/atomic_file.hpp"
 #include "engine/draw.hpp"
 #include "engine/models.hpp"
 #include "pictures/picture_file.hpp"
@@ -17,7 +17,6 @@
 #include <fmt/format.h>
 #include <sysexits.h>
 
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -104,22 +103,6 @@ Result<protocol::Words> words_to_draw(const protocol::Accelerator& accelerator,
     if (!state)
         return fail(state.error());
     return protocol::pack(accelerator, *state);
-}
-
-Result<void> write_picture(const engine::Image& image, const std::string& path)
-{
-    const auto format = pictures::format_of(path);
-    if (!format)
-        return fail(format.error());
-    const auto bytes = pictures::encode(image, *format);
-    if (!bytes)
-        return fail(bytes.error());
-    if (path != "-")
-        return drivers::replace_file(path, *bytes, drivers::Durability::BestEffort);
-    if (std::fwrite(bytes->data(), 1, bytes->size(), stdout) != bytes->size() ||
-        std::fflush(stdout) != 0)
-        return fail(errno_error(ErrorKind::InputOutput, "write", "standard output"));
-    return {};
 }
 
 Result<void> render(const Options& options)

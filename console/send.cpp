@@ -39,12 +39,10 @@ int send(const Options& options)
             return report(plain_error(ErrorKind::Usage, "one line an argument"));
         if (!has_reply(line))
             continue;
-        const auto replies = connection->ask(line);
-        if (!replies)
-            return report(replies.error());
-        for (const std::string& reply : *replies)
-            fmt::print("{}\n", reply);
-        refused |= is_err(replies->back());
+        const auto reply = ask_and_print(*connection, line);
+        if (!reply)
+            return report(reply.error());
+        refused |= is_err(*reply);
     }
     return refused ? status_err_reply : EX_OK;
 }

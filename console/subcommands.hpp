@@ -18,6 +18,8 @@ using Run = std::function<int()>;
 void add_encode(CLI::App& app, Run& run);
 void add_decode(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
+void add_export(CLI::App& app, Run& run);
+void add_receive(CLI::App& app, Run& run);
 void add_send(CLI::App& app, Run& run);
 void add_console(CLI::App& app, Run& run);
 void add_status(CLI::App& app, Run& run);

@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <random>
+#include <utility>
 
 namespace raymarch::daemon
 {
@@ -52,13 +53,19 @@ App::App(Config config, Reload reload, EventLoop& loop)
     , config_(std::move(config))
     , reload_(std::move(reload))
     , persist_timer_(loop.add_timer([this] { persist(); }))
-    , hardware_(config_, loop, [this] { controller_.board_is_back(); })
+    , animate_timer_(loop.add_timer([this] { animate(); }))
+    , hardware_(config_, loop, [this] { controller_.board_is_back(hardware_.accelerator()); })
     , controller_(*config_.accelerator, policy_of(config_), hardware_, *this, *this, random_seed())
     , retry_serial_(loop.add_timer([this] { open_serial(); }))
     , retry_control_(loop.add_timer([this] { open_control(); }))
 {
+    controller_.on_animate([this](unsigned rate) {
+        const bool running = std::exchange(animate_rate_, rate) > 0;
+        if (rate > 0 && !running)
+            animate_timer_->arm(std::chrono::milliseconds{0});
+    });
     if (!config_.state.empty())
-        store_.emplace(config_.state, *config_.accelerator);
+        store_.emplace(config_.state);
 }
 
 App::~App() = default;
@@ -106,13 +113,13 @@ void App::restore_state()
     } else {
         log::warning("starting from the defaults: {}", loaded.error().message);
     }
-    if (persisted_.last)
-        static_cast<void>(controller_.restore(*persisted_.last)); // the board comes later
+    if (const auto state = last(controller_.accelerator()))
+        static_cast<void>(controller_.restore(*state)); // the board comes later
 }
 
-void App::changed(const protocol::State& state)
+void App::changed(const Accelerator& accelerator, const State& state)
 {
-    persisted_.last = state;
+    persisted_.of(accelerator).last = state;
     if (!store_ || persist_waits_)
         return;
     persist_waits_ = true;
@@ -126,11 +133,12 @@ void App::persist()
         store_->write_later(persisted_);
 }
 
-bool App::save(const protocol::State& state)
+bool App::save(const Accelerator& accelerator, const State& state)
 {
     if (!store_)
         return false;
-    const PersistedState both = {.last = state, .saved = state};
+    PersistedStates both = persisted_;
+    both.of(accelerator) = {.last = state, .saved = state};
     if (both == persisted_ && !persist_waits_ && !store_->behind() && store_->load())
         return true; // the file holds it
     if (!store_->write_now(both))
@@ -139,14 +147,20 @@ bool App::save(const protocol::State& state)
     return true;
 }
 
-std::optional<protocol::State> App::load()
+std::optional<protocol::State> App::load(const Accelerator& accelerator)
 {
     if (!store_)
         return std::nullopt;
-    const auto loaded = store_->load();
+    auto loaded = store_->load();
     if (!loaded)
         return std::nullopt;
-    return loaded->saved ? loaded->saved : loaded->last;
+    const PersistedState& state = loaded->of(accelerator);
+    return state.saved ? state.saved : state.last;
+}
+
+std::optional<protocol::State> App::last(const Accelerator& accelerator)
+{
+    return persisted_.of(accelerator).last;
 }
 
 // --- hosts ---
@@ -212,6 +226,16 @@ void App::accept_client()
 }
 
 // --- the rest ---
+
+/// Armed again from now, not from when it was due: a picture that takes longer than a step slows
+/// the animation down and leaves time for the hosts.
+void App::animate()
+{
+    if (animate_rate_ == 0)
+        return;
+    animate_timer_->arm(std::chrono::milliseconds{1000 / animate_rate_});
+    controller_.animate();
+}
 
 void App::reload_config()
 {

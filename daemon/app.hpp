@@ -37,9 +37,10 @@ class App final : public Storage, public StatusSource
     [[nodiscard]] Result<void> run();
 
     // Storage
-    void changed(const protocol::State& state) override;
-    [[nodiscard]] bool save(const protocol::State& state) override;
-    [[nodiscard]] std::optional<protocol::State> load() override;
+    void changed(const Accelerator& accelerator, const State& state) override;
+    [[nodiscard]] bool save(const Accelerator& accelerator, const State& state) override;
+    [[nodiscard]] std::optional<State> load(const Accelerator& accelerator) override;
+    [[nodiscard]] std::optional<State> last(const Accelerator& accelerator) override;
 
     // StatusSource
     void write_status(protocol::ReplyWriter& reply) override;
@@ -50,6 +51,7 @@ class App final : public Storage, public StatusSource
     void open_control();
     void accept_client();
     void persist();
+    void animate();
     void reload_config();
     void log_once(std::string& last, const Error& error, const char* what);
 
@@ -59,9 +61,12 @@ class App final : public Storage, public StatusSource
     const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 
     std::optional<StateStore> store_;
-    PersistedState persisted_;
+    PersistedStates persisted_;
     Source persist_timer_;
     bool persist_waits_ = false;
+
+    Source animate_timer_;
+    unsigned animate_rate_ = 0; ///< steps a second
 
     Hardware hardware_;
     Controller controller_; ///< borrows hardware_ and, as Storage and StatusSource, the App

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/controller.hpp"
 
+#include "protocol/accelerators.hpp"
 #include "protocol/arguments.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/help.hpp"
@@ -40,7 +41,7 @@ OneWord one_word(Text words, std::string_view allowed) noexcept
 
 Controller::Controller(const Accelerator& accelerator, Policy policy, Board& board,
                        Storage& storage, StatusSource& status, std::uint64_t random_seed)
-    : accelerator_(accelerator)
+    : accelerator_(&accelerator)
     , policy_(policy)
     , board_(board)
     , storage_(storage)
@@ -61,7 +62,7 @@ std::string_view Controller::execute(const Line& line, SessionSettings& session)
     if (fault) {
         ++rejected_[static_cast<std::size_t>(fault->code)];
         reply_.begin(request.checksummed); // without what was written before the fault was found
-        write_fault(reply_, accelerator_, *fault);
+        write_fault(reply_, *accelerator_, *fault);
     }
     const bool wanted = policy_.replies == Replies::All ||
                         (policy_.replies == Replies::Errors && fault.has_value());
@@ -71,13 +72,15 @@ std::string_view Controller::execute(const Line& line, SessionSettings& session)
 bool Controller::restore(const State& state)
 {
     state_ = state;
-    words_ = pack(accelerator_, state);
+    words_ = pack(*accelerator_, state);
     const Applied applied = board_.apply(words_);
     return applied == Applied::Written || applied == Applied::Deferred;
 }
 
-void Controller::board_is_back()
+void Controller::board_is_back(const Accelerator& accelerator)
 {
+    if (&accelerator != accelerator_)
+        recall(accelerator);
     static_cast<void>(restore(state_)); // the board itself reports what it does not take
 }
 
@@ -85,10 +88,9 @@ Controller::Outcome Controller::dispatch(const Request& request, SessionSettings
 {
     if (request.kind == Request::Kind::Faulty)
         return request.fault;
-    const bool writes =
-        request.kind == Request::Kind::Frame ||
-        (request.command->effect == Effect::Writes &&
-         !(request.command->id == CommandId::Preset && request.text.empty())); // only lists them
+    const bool writes = request.kind == Request::Kind::Frame ||
+                        (request.command->effect == Effect::Writes &&
+                         !(request.command->bare == Effect::Reads && request.text.empty()));
     if (locked_ && writes)
         return Fault{.code = ErrorCode::Locked};
     if (request.kind == Request::Kind::Command) {
@@ -98,7 +100,7 @@ Controller::Outcome Controller::dispatch(const Request& request, SessionSettings
     }
 
     State state = state_;
-    if (auto fault = read_frame(accelerator_, request.text, state))
+    if (auto fault = read_frame(*accelerator_, request.text, state))
         return fault;
     return apply(state);
 }
@@ -111,29 +113,29 @@ Controller::Outcome Controller::run(const Request& request, SessionSettings& ses
     case CommandId::Set:
         return assign(request.text);
     case CommandId::View:
-        if (auto fault = apply_view(accelerator_, request.text, state))
+        if (auto fault = apply_view(*accelerator_, request.text, state))
             return fault;
         return apply(state);
     case CommandId::Hue:
-        if (auto fault = apply_hue(accelerator_, request.text, state))
+        if (auto fault = apply_hue(*accelerator_, request.text, state))
             return fault;
         return apply(state);
     case CommandId::Get:
         return get(request.text);
     case CommandId::Regs:
         reply_ << "OK";
-        write_words(reply_, accelerator_, words_);
+        write_words(reply_, *accelerator_, words_);
         reply_.end_line();
         return std::nullopt;
     case CommandId::Reset:
         if (auto fault = group(request.text, group_name))
             return fault;
-        reset(accelerator_, group_name, state);
+        reset(*accelerator_, group_name, state);
         return apply(state);
     case CommandId::Random:
         if (auto fault = group(request.text, group_name))
             return fault;
-        randomise(accelerator_, group_name, random_, state);
+        randomise(*accelerator_, group_name, random_, state);
         return apply(state);
     case CommandId::Status:
         status();
@@ -141,18 +143,22 @@ Controller::Outcome Controller::run(const Request& request, SessionSettings& ses
     case CommandId::Preset:
         return preset(request.text);
     case CommandId::Save:
-        if (!storage_.save(state_))
+        if (!storage_.save(*accelerator_, state_))
             return Fault{.code = ErrorCode::Storage};
         ok();
         return std::nullopt;
     case CommandId::Load:
-        if (const auto loaded = storage_.load())
+        if (const auto loaded = storage_.load(*accelerator_))
             return apply(*loaded);
         return Fault{.code = ErrorCode::Storage};
     case CommandId::Accelerator:
-        reply_ << "OK accelerator=" << accelerator_.name;
-        reply_.end_line();
-        return std::nullopt;
+        return switch_accelerator(request.text);
+    case CommandId::Walk:
+        return move(read_walk(request.text));
+    case CommandId::Turn:
+        return move(read_turn(request.text));
+    case CommandId::Animate:
+        return animate_at(request.text);
     case CommandId::Echo:
         return echo(request.text, session);
     case CommandId::Version:
@@ -163,7 +169,7 @@ Controller::Outcome Controller::run(const Request& request, SessionSettings& ses
         ok();
         return std::nullopt;
     case CommandId::Help:
-        if (!write_help(reply_, accelerator_, request.text.bytes))
+        if (!write_help(reply_, *accelerator_, request.text.bytes))
             return argument_fault(request.text, "HELP alone lists what there is");
         ok();
         return std::nullopt;
@@ -174,19 +180,19 @@ Controller::Outcome Controller::run(const Request& request, SessionSettings& ses
 Controller::Outcome Controller::apply(const State& state)
 {
     const bool orthonormal =
-        policy_.basis_check == BasisCheck::Off || basis_is_orthonormal(accelerator_, state);
+        policy_.basis_check == BasisCheck::Off || basis_is_orthonormal(*accelerator_, state);
     if (!orthonormal && policy_.basis_check == BasisCheck::Reject)
         return Fault{.code = ErrorCode::Basis};
-    const Words words = pack(accelerator_, state);
+    const Words words = pack(*accelerator_, state);
     const Applied applied = board_.apply(words);
     if (applied == Applied::Absent || applied == Applied::Failed)
         return Fault{.code = ErrorCode::Hardware};
 
     std::uint64_t changed = 0;
-    for (std::size_t i = 0; i < accelerator_.word_count; ++i)
+    for (std::size_t i = 0; i < accelerator_->word_count; ++i)
         changed += words[i] != words_[i] ? 1 : 0;
     if (!(state == state_))
-        storage_.changed(state);
+        storage_.changed(*accelerator_, state);
     state_ = state;
     words_ = words;
     ++applied_;
@@ -201,7 +207,7 @@ Controller::Outcome Controller::assign(Text words)
 {
     State state = state_;
     ParameterSet given;
-    if (auto fault = read_assignments(accelerator_, words, state, given))
+    if (auto fault = read_assignments(*accelerator_, words, state, given))
         return fault;
     return apply(state);
 }
@@ -210,7 +216,7 @@ Controller::Outcome Controller::get(Text words)
 {
     reply_ << "OK ";
     if (words.empty()) {
-        write_state(reply_, accelerator_, state_);
+        write_state(reply_, *accelerator_, state_);
         reply_.end_line();
         return std::nullopt;
     }
@@ -220,7 +226,7 @@ Controller::Outcome Controller::get(Text words)
         const Piece piece = take_until(rest, ',');
         more = piece.found;
         const Text key = piece.text.trimmed();
-        const auto index = find_parameter(accelerator_.parameters, key.bytes);
+        const auto index = find_parameter(accelerator_->parameters, key.bytes);
         if (!index || given[*index]) {
             Fault fault = argument_fault(key, "GET takes the keys of parameters, each once");
             if (std::ranges::all_of(key.bytes, is_letter))
@@ -230,7 +236,7 @@ Controller::Outcome Controller::get(Text words)
         if (given.any())
             reply_ << ',';
         given.set(*index);
-        write_assignment(reply_, accelerator_, state_, *index);
+        write_assignment(reply_, *accelerator_, state_, *index);
     }
     reply_.end_line();
     return std::nullopt;
@@ -240,21 +246,80 @@ Controller::Outcome Controller::preset(Text words)
 {
     if (words.empty()) {
         reply_ << "OK presets=";
-        for (std::size_t i = 0; i < accelerator_.presets.size(); ++i)
-            reply_ << (i == 0 ? "" : ",") << accelerator_.presets[i].name;
+        for (std::size_t i = 0; i < accelerator_->presets.size(); ++i)
+            reply_ << (i == 0 ? "" : ",") << accelerator_->presets[i].name;
         reply_.end_line();
         return std::nullopt;
     }
-    for (const Preset& row : accelerator_.presets) {
+    for (const Preset& row : accelerator_->presets) {
         if (!equal_ignoring_case(row.name, words.bytes))
             continue;
-        State state = initial_state(accelerator_);
+        State state = initial_state(*accelerator_);
         ParameterSet given;
-        if (auto fault = read_assignments(accelerator_, {.bytes = row.settings}, state, given))
+        if (auto fault = read_assignments(*accelerator_, {.bytes = row.settings}, state, given))
             return fault; // never: a test reads every preset
         return apply(state);
     }
     return argument_fault(words, "PRESET alone lists the presets");
+}
+
+void Controller::recall(const Accelerator& accelerator)
+{
+    accelerator_ = &accelerator;
+    state_ = storage_.last(accelerator).value_or(initial_state(accelerator));
+    words_ = pack(accelerator, state_);
+}
+
+Controller::Outcome Controller::switch_accelerator(Text words)
+{
+    if (!words.empty()) {
+        const Accelerator* const wanted = find_accelerator(words.bytes);
+        if (wanted == nullptr)
+            return argument_fault(words, "HELP ACCELERATOR names the accelerators");
+        if (wanted != accelerator_) {
+            if (!board_.use(*wanted))
+                return argument_fault(words, "only an emulated block can be switched");
+            recall(*wanted);
+            if (!restore(state_))
+                return Fault{.code = ErrorCode::Hardware};
+        }
+    }
+    reply_ << "OK accelerator=" << accelerator_->name;
+    reply_.end_line();
+    return std::nullopt;
+}
+
+Controller::Outcome Controller::move(const tl::expected<Steps, Fault>& steps)
+{
+    if (!steps)
+        return steps.error();
+    State state = state_;
+    movement_.move(*accelerator_, state, *steps);
+    return apply(state);
+}
+
+Controller::Outcome Controller::animate_at(Text words)
+{
+    const auto rate = read_animate(words);
+    if (!rate)
+        return rate.error();
+    rate_ = *rate;
+    if (pace_)
+        pace_(rate_);
+    ok();
+    return std::nullopt;
+}
+
+void Controller::animate()
+{
+    if (locked_)
+        return;
+    State state = state_;
+    movement_.move(*accelerator_, state, {.inputs = motion::Input::Animate});
+    if (state == state_)
+        return;
+    if (restore(state))
+        storage_.changed(*accelerator_, state);
 }
 
 Controller::Outcome Controller::echo(Text words, SessionSettings& session)
@@ -276,7 +341,7 @@ Controller::Outcome Controller::group(Text words, std::string_view& name) const
     if (words.empty())
         return std::nullopt;
     const OneWord first = one_word(words, "one group, or none for all");
-    const auto found = find_group(accelerator_, first.word);
+    const auto found = find_group(*accelerator_, first.word);
     if (!found)
         return argument_fault(words, "HELP RESET names the groups");
     if (first.more)
@@ -290,10 +355,10 @@ void Controller::status()
     std::uint64_t rejected = 0;
     for (const std::uint64_t count : rejected_)
         rejected += count;
-    reply_ << "OK accelerator=" << accelerator_.name;
+    reply_ << "OK accelerator=" << accelerator_->name;
     status_.write_status(reply_);
-    reply_ << " locked=" << (locked_ ? "on" : "off") << " applied=" << applied_
-           << " rejected=" << rejected;
+    reply_ << " animate=" << std::uint64_t{rate_} << " locked=" << (locked_ ? "on" : "off")
+           << " applied=" << applied_ << " rejected=" << rejected;
     for (const ErrorRow& row : errors)
         if (const std::uint64_t count = rejected_[static_cast<std::size_t>(row.code)]; count > 0)
             reply_ << " rejected." << row.name << '=' << count;

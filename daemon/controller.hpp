@@ -7,6 +7,7 @@
 #pragma once
 
 #include "daemon/config.hpp"
+#include "daemon/movement.hpp"
 #include "daemon/register_path.hpp"
 #include "protocol/line_reader.hpp"
 #include "protocol/registers.hpp"
@@ -15,6 +16,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <random>
 #include <string_view>
 
@@ -27,18 +30,26 @@ class Board
   public:
     virtual ~Board() = default;
     [[nodiscard]] virtual Applied apply(const protocol::Words& words) = 0;
+    /// Makes another accelerator the one behind the registers; its words are to be applied next.
+    /// False, and nothing has changed, where the block is no emulated one.
+    [[nodiscard]] virtual bool use(const protocol::Accelerator& accelerator) = 0;
 };
 
-/// The persisted state.
+/// The persisted states, one for each accelerator.
 class Storage
 {
   public:
+    using Accelerator = protocol::Accelerator;
+    using State = protocol::State;
     virtual ~Storage() = default;
     /// The state has changed; it is to be kept soon.
-    virtual void changed(const protocol::State& state) = 0;
+    virtual void changed(const Accelerator& accelerator, const State& state) = 0;
     /// Keeps it now, and puts it aside for load(). False when that cannot be done.
-    [[nodiscard]] virtual bool save(const protocol::State& state) = 0;
-    [[nodiscard]] virtual std::optional<protocol::State> load() = 0;
+    [[nodiscard]] virtual bool save(const Accelerator& accelerator, const State& state) = 0;
+    /// What was put aside last.
+    [[nodiscard]] virtual std::optional<State> load(const Accelerator& accelerator) = 0;
+    /// What was there last.
+    [[nodiscard]] virtual std::optional<State> last(const Accelerator& accelerator) = 0;
 };
 
 /// What STATUS tells beyond the controller's own counts.
@@ -75,14 +86,24 @@ class Controller
     /// Makes `state` the present one without a line: at start, or from a button. False when the
     /// board did not take it; the state is kept all the same, for a board that comes later.
     bool restore(const protocol::State& state);
-    /// Writes the present words again: the board has come (back).
-    void board_is_back();
+    /// The board has come (back), with this accelerator: writes the present words again, or, where
+    /// it is another accelerator than before, those that it had last.
+    void board_is_back(const protocol::Accelerator& accelerator);
+
+    /// Called with the steps a second that ANIMATE asks for; 0: none.
+    void on_animate(std::function<void(unsigned)> pace) { pace_ = std::move(pace); }
+    /// One step of the animation.
+    void animate();
 
     /// A switch on the board: while locked, whatever writes is answered ERR LOCKED.
     void set_locked(bool locked) noexcept { locked_ = locked; }
 
     void set_policy(const Policy& policy) noexcept { policy_ = policy; }
     [[nodiscard]] const protocol::State& state() const noexcept { return state_; }
+    [[nodiscard]] const protocol::Accelerator& accelerator() const noexcept
+    {
+        return *accelerator_;
+    }
     [[nodiscard]] std::uint64_t applied() const noexcept { return applied_; }
     [[nodiscard]] bool last_refused() const noexcept { return last_refused_; }
 
@@ -94,12 +115,17 @@ class Controller
     [[nodiscard]] Outcome assign(protocol::Text words);
     [[nodiscard]] Outcome get(protocol::Text words);
     [[nodiscard]] Outcome preset(protocol::Text words);
+    [[nodiscard]] Outcome switch_accelerator(protocol::Text words);
+    [[nodiscard]] Outcome move(const tl::expected<Steps, protocol::Fault>& steps);
+    [[nodiscard]] Outcome animate_at(protocol::Text words);
     [[nodiscard]] Outcome echo(protocol::Text words, SessionSettings& session);
     [[nodiscard]] Outcome group(protocol::Text words, std::string_view& name) const;
     void status();
     void ok();
+    /// What this accelerator had last, or its defaults.
+    void recall(const protocol::Accelerator& accelerator);
 
-    const protocol::Accelerator& accelerator_;
+    const protocol::Accelerator* accelerator_;
     Policy policy_;
     Board& board_;
     Storage& storage_;
@@ -108,6 +134,9 @@ class Controller
 
     protocol::State state_;
     protocol::Words words_;
+    Movement movement_;
+    std::function<void(unsigned)> pace_;
+    unsigned rate_ = 0; ///< of the animation, steps a second
     bool locked_ = false;
     bool last_refused_ = false;
     std::uint64_t applied_ = 0;

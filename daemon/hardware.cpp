@@ -36,12 +36,16 @@ emulation::FrameSink preview_to(const std::string& path)
     };
 }
 
-BusResult open_emulated(const Config& config)
+/// A size that was asked for and that this accelerator does not reach is its own size instead: it
+/// was asked for another one.
+BusResult open_emulated(const Config& config, const protocol::Accelerator& accelerator)
 {
     emulation::EmulatedOptions options = config.emulated;
-    if (options.size == protocol::PictureSize{})
-        options.size = config.accelerator->size;
-    return emulation::EmulatedBlock::open(engine::model_of(*config.accelerator), options,
+    if (options.size == protocol::PictureSize{} ||
+        options.size.width > accelerator.max_size.width ||
+        options.size.height > accelerator.max_size.height)
+        options.size = accelerator.size;
+    return emulation::EmulatedBlock::open(engine::model_of(accelerator), options,
                                           preview_to(config.preview));
 }
 
@@ -57,13 +61,21 @@ BusResult open_named(const std::string& name)
 struct Opener
 {
     const Config& config;
+    const protocol::Accelerator& accelerator;
+    bool& emulated;
+
+    BusResult emulate() const
+    {
+        emulated = true;
+        return open_emulated(config, accelerator);
+    }
     BusResult operator()(const AutoRegisters&) const
     {
         const auto device = drivers::find_uio(default_uio_name);
         if (device || device.error().kind != ErrorKind::Unavailable) // two of them are a mistake
             return open_named(default_uio_name);
         log::notice("{}: the accelerator is emulated", device.error().message);
-        return open_emulated(config);
+        return emulate();
     }
     BusResult operator()(const UioDevice& where) const
     {
@@ -74,7 +86,7 @@ struct Opener
     {
         return drivers::MappedWindow::open_file(where.path, window_bytes);
     }
-    BusResult operator()(const EmulatedRegisters&) const { return open_emulated(config); }
+    BusResult operator()(const EmulatedRegisters&) const { return emulate(); }
 };
 
 } // namespace
@@ -83,6 +95,7 @@ Hardware::Hardware(const Config& config, EventLoop& loop, std::function<void()> 
     : config_(config)
     , loop_(loop)
     , on_ready_(std::move(on_ready))
+    , wanted_(config.accelerator)
     , retry_open_(loop.add_timer([this] { try_to_open(); }))
     , retry_deferred_(loop.add_timer([this] { retry_deferred(); }))
 {}
@@ -92,17 +105,13 @@ void Hardware::start()
     try_to_open();
 }
 
-BusResult Hardware::open_bus()
-{
-    return std::visit(Opener{config_}, config_.registers);
-}
-
 Result<void> Hardware::open()
 {
-    auto bus = open_bus();
+    emulated_ = false;
+    auto bus = std::visit(Opener{config_, *wanted_, emulated_}, config_.registers);
     if (!bus)
         return fail(bus.error());
-    auto path = RegisterPath::probe(**bus, *config_.accelerator);
+    auto path = RegisterPath::probe(**bus, *wanted_);
     if (!path)
         return fail(path.error());
     bus_ = std::move(*bus);
@@ -115,7 +124,25 @@ Result<void> Hardware::open()
     return {};
 }
 
+bool Hardware::use(const protocol::Accelerator& accelerator)
+{
+    if (!path_ || !emulated_)
+        return false;
+    wanted_ = &accelerator;
+    interrupt_.reset();
+    path_.reset();
+    bus_.reset();
+    static_cast<void>(open_or_retry());
+    return true;
+}
+
 void Hardware::try_to_open()
+{
+    if (open_or_retry())
+        on_ready_();
+}
+
+bool Hardware::open_or_retry()
 {
     if (const auto opened = open(); !opened) {
         if (opened.error().message != last_problem_)
@@ -123,14 +150,14 @@ void Hardware::try_to_open()
                          opened.error().message);
         last_problem_ = opened.error().message;
         retry_open_->arm(back_off_.next());
-        return;
+        return false;
     }
     last_problem_.clear();
     back_off_.opened();
     faulty_ = false;
     log::info("registers: {} {}", path_->accelerator().name,
               path_->extended() ? "with extended registers" : "without extended registers");
-    on_ready_();
+    return true;
 }
 
 void Hardware::close()

@@ -29,13 +29,21 @@ class Hardware final : public Board
     void start();
 
     [[nodiscard]] Applied apply(const protocol::Words& words) override;
+    [[nodiscard]] bool use(const protocol::Accelerator& accelerator) override;
+
+    /// What the block is; before it is found, what it is taken for.
+    [[nodiscard]] const protocol::Accelerator& accelerator() const noexcept
+    {
+        return path_ ? path_->accelerator() : *wanted_;
+    }
 
     /// ` hardware=… block=… frames=… fps=…`
     void write_status(protocol::ReplyWriter& reply);
 
   private:
-    [[nodiscard]] Result<std::unique_ptr<drivers::RegisterBus>> open_bus();
     [[nodiscard]] Result<void> open();
+    /// False, and it will be tried again, when the block is not there.
+    bool open_or_retry();
     void try_to_open();
     void close();
     void on_interrupt();
@@ -46,6 +54,8 @@ class Hardware final : public Board
     const Config& config_;
     EventLoop& loop_;
     std::function<void()> on_ready_;
+    const protocol::Accelerator* wanted_; ///< what an emulated block is, and a plain one taken for
+    bool emulated_ = false;
     BackOff back_off_;
     std::string last_problem_; ///< logged once, not at each attempt
     std::uint64_t readback_errors_ = 0;

@@ -41,17 +41,18 @@ std::string_view take_word(std::string_view& line)
 
 } // namespace
 
-std::string format_state_file(const protocol::Accelerator& accelerator, const PersistedState& state)
+std::string format_state_file(const PersistedStates& states)
 {
     std::string text(header);
-    append_line(text, "last", accelerator, state.last);
-    append_line(text, "saved", accelerator, state.saved);
+    for (std::size_t i = 0; i < states.states.size(); ++i) {
+        append_line(text, "last", *protocol::accelerators[i], states.states[i].last);
+        append_line(text, "saved", *protocol::accelerators[i], states.states[i].saved);
+    }
     text += fmt::format("{}{:08X}\n", check, crc32(text));
     return text;
 }
 
-Result<PersistedState> parse_state_file(const protocol::Accelerator& accelerator,
-                                        std::string_view text)
+Result<PersistedStates> parse_state_file(std::string_view text)
 {
     const auto bad = [](std::string_view what) {
         return fail(plain_error(ErrorKind::BadData, std::string(what)));
@@ -62,21 +63,24 @@ Result<PersistedState> parse_state_file(const protocol::Accelerator& accelerator
     if (text.substr(check_at) != fmt::format("{}{:08X}\n", check, crc32(text.substr(0, check_at))))
         return bad("its checksum is wrong");
 
-    PersistedState state;
+    PersistedStates states;
     std::string_view rest = text.substr(header.size(), check_at - header.size());
     while (!rest.empty()) {
         std::string_view line = take_line(rest);
         const std::string_view name = take_word(line);
         if (name != "last" && name != "saved")
             return bad("a line in it is neither last nor saved");
-        if (take_word(line) != accelerator.name)
+        const protocol::Accelerator* const accelerator =
+            protocol::find_accelerator(take_word(line));
+        if (accelerator == nullptr)
             continue;
-        protocol::State values;
-        if (protocol::read_frame(accelerator, {.bytes = line}, values))
+        protocol::State values = protocol::initial_state(*accelerator);
+        if (protocol::read_frame(*accelerator, {.bytes = line}, values))
             return bad("a state in it is no frame");
+        PersistedState& state = states.of(*accelerator);
         (name == "saved" ? state.saved : state.last) = values;
     }
-    return state;
+    return states;
 }
 
 } // namespace raymarch::daemon

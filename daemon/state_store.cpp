@@ -17,9 +17,8 @@ constexpr std::chrono::seconds pause_after_failure{10};
 
 } // namespace
 
-StateStore::StateStore(std::string path, const protocol::Accelerator& accelerator)
+StateStore::StateStore(std::string path)
     : path_(std::move(path))
-    , accelerator_(accelerator)
     , worker_([this](const std::stop_token& stop) { work(stop); })
 {}
 
@@ -28,12 +27,12 @@ StateStore::~StateStore()
     worker_.request_stop();
 }
 
-Result<PersistedState> StateStore::load() const
+Result<PersistedStates> StateStore::load() const
 {
     auto text = drivers::read_file(path_, largest_state_file);
     if (!text)
         return fail(text.error());
-    auto state = parse_state_file(accelerator_, *text);
+    auto state = parse_state_file(*text);
     if (!state)
         return fail(plain_error(ErrorKind::BadData, path_ + ": " + state.error().message));
     return state;
@@ -45,7 +44,7 @@ bool StateStore::write_waiting()
 {
     const std::scoped_lock file_lock(file_mutex_);
     std::unique_lock lock(mutex_);
-    const std::optional<PersistedState> state = std::exchange(waiting_, std::nullopt);
+    const std::optional<PersistedStates> state = std::exchange(waiting_, std::nullopt);
     lock.unlock();
     if (!state || write(*state))
         return true;
@@ -61,9 +60,9 @@ bool StateStore::behind()
     return waiting_.has_value();
 }
 
-Result<void> StateStore::write(const PersistedState& state)
+Result<void> StateStore::write(const PersistedStates& state)
 {
-    const std::string text = format_state_file(accelerator_, state);
+    const std::string text = format_state_file(state);
     auto result =
         drivers::replace_file(path_, drivers::as_bytes(text), drivers::Durability::Durable);
     if (!result && !failing_)
@@ -72,18 +71,18 @@ Result<void> StateStore::write(const PersistedState& state)
     return result;
 }
 
-void StateStore::write_later(const PersistedState& state)
+void StateStore::write_later(const PersistedStates& state)
 {
     const std::scoped_lock lock(mutex_);
     waiting_ = state;
     wake_.notify_one();
 }
 
-Result<void> StateStore::write_now(const PersistedState& state)
+Result<void> StateStore::write_now(const PersistedStates& state)
 {
     const std::scoped_lock file_lock(file_mutex_);
     std::unique_lock lock(mutex_);
-    const std::optional<PersistedState> older = std::exchange(waiting_, std::nullopt);
+    const std::optional<PersistedStates> older = std::exchange(waiting_, std::nullopt);
     lock.unlock();
     auto result = write(state);
     lock.lock();

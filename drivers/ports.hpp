@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The three seams to the world. Everything above them can be tested without a device.
+/// The four seams to the world. Everything above them can be tested without a device.
 ///
-/// This layer moves words, bytes and levels; what they mean is not its business.
+/// This layer moves words, bytes, frames and levels; what they mean is not its business.
 #pragma once
 
 #include "base/result.hpp"
 
+#include <chrono>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -75,6 +77,24 @@ class BytePort
     [[nodiscard]] virtual ReadOutcome read(std::span<char> into) noexcept = 0;
     /// How many bytes were taken now, possibly none.
     [[nodiscard]] virtual std::size_t write(std::string_view bytes) noexcept = 0;
+};
+
+/// A network interface: whole Ethernet frames, from the destination address to the last byte of
+/// data.
+class FramePort
+{
+  public:
+    FramePort() = default;
+    FramePort(const FramePort&) = delete;
+    FramePort& operator=(const FramePort&) = delete;
+    virtual ~FramePort() = default;
+
+    /// Returns when the system has taken the frame. Errors: InputOutput.
+    [[nodiscard]] virtual Result<void> send(std::span<const std::uint8_t> frame) = 0;
+    /// The next frame that another machine or program sent, cut to `into`: its size, or nothing
+    /// when none comes within `timeout`. Errors: InputOutput.
+    [[nodiscard]] virtual Result<std::optional<std::size_t>>
+    receive(std::span<std::uint8_t> into, std::chrono::milliseconds timeout) = 0;
 };
 
 /// One digital line: a button, a switch or an LED.

@@ -3,9 +3,12 @@
 /// The registry of models: one line an accelerator, beside protocol/accelerators.hpp.
 #pragma once
 
+#include "engine/fractal/fractal.hpp"
 #include "engine/mandelbulb/mandelbulb.hpp"
 #include "engine/marcher/marcher.hpp"
 #include "engine/model.hpp"
+#include "engine/sphere/sphere.hpp"
+#include "engine/whitted/whitted.hpp"
 #include "protocol/accelerators.hpp"
 
 #include <array>
@@ -15,7 +18,11 @@ namespace raymarch::engine
 
 inline constexpr std::array models = {
     Model{&protocol::marcher::description, marcher::draw_row, marcher::frame_cycles},
+    Model{&protocol::fractal::description, fractal::draw_row, fractal::frame_cycles, nullptr,
+          fractal::frames_of_a_still},
+    Model{&protocol::sphere::description, sphere::draw_row, sphere::frame_cycles, sphere::finish},
     Model{&protocol::mandelbulb::description, mandelbulb::draw_row, mandelbulb::frame_cycles},
+    Model{&protocol::whitted::description, whitted::draw_row, whitted::frame_cycles},
 };
 
 /// The model of a description that stands in protocol::accelerators.

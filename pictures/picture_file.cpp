@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pictures/picture_file.hpp"
 
+#include "pictures/load_module.hpp"
 #include "pictures/module.hpp"
-
-#include <dlfcn.h>
 
 #include <array>
 #include <cctype>
@@ -51,20 +50,9 @@ Bytes encode_tga(const engine::Image& image)
     return bytes;
 }
 
-/// Loaded once and kept: OpenCV takes longer to load than a picture to draw.
-EncodeFunction load_module()
-{
-    static const EncodeFunction function = [] {
-        void* const module = ::dlopen(module_file, RTLD_NOW | RTLD_LOCAL);
-        return module == nullptr ? nullptr
-                                 : reinterpret_cast<EncodeFunction>(::dlsym(module, encode_symbol));
-    }();
-    return function;
-}
-
 Result<Bytes> encode_with_opencv(const engine::Image& image, const char* extension)
 {
-    const EncodeFunction function = load_module();
+    const auto function = module_function<EncodeFunction>(module_file, encode_symbol);
     if (function == nullptr)
         return fail(plain_error(ErrorKind::Unavailable,
                                 std::string("writing ") + extension + " needs OpenCV's module " +

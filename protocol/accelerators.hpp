@@ -3,8 +3,11 @@
 /// The registry of descriptions: one line an accelerator.
 #pragma once
 
+#include "protocol/accelerators/fractal.hpp"
 #include "protocol/accelerators/mandelbulb.hpp"
 #include "protocol/accelerators/marcher.hpp"
+#include "protocol/accelerators/sphere.hpp"
+#include "protocol/accelerators/whitted.hpp"
 #include "protocol/parameters.hpp"
 
 namespace raymarch::protocol
@@ -12,7 +15,10 @@ namespace raymarch::protocol
 
 inline constexpr std::array accelerators = {
     &marcher::description,
+    &fractal::description,
+    &sphere::description,
     &mandelbulb::description,
+    &whitted::description,
 };
 
 /// What is active where neither the hardware nor the user says otherwise.
@@ -25,6 +31,15 @@ inline constexpr const Accelerator& default_accelerator = *accelerators[0];
         if (equal_ignoring_case(accelerator->name, name))
             return accelerator;
     return nullptr;
+}
+
+/// Where a description stands in the registry.
+[[nodiscard]] constexpr std::size_t position_of(const Accelerator& description) noexcept
+{
+    std::size_t position = 0;
+    while (position + 1 < accelerators.size() && accelerators[position] != &description)
+        ++position;
+    return position;
 }
 
 /// The description of CAPABILITY's kind, or nullptr.

@@ -49,6 +49,23 @@ void set_triple(const Accelerator& accelerator, const std::array<ParameterIndex,
         state.codes[where[i]] = nearest_code(accelerator.parameters[where[i]], values[i]);
 }
 
+void set_hue(const Accelerator& accelerator, double hue, State& state) noexcept
+{
+    const double sextant = std::floor(hue * 6.0);
+    const double rising = hue * 6.0 - sextant;
+    const double falling = 1.0 - rising;
+    const std::array<Triple, 6> wheel = {{{1, rising, 0},
+                                          {falling, 1, 0},
+                                          {0, 1, rising},
+                                          {0, falling, 1},
+                                          {rising, 0, 1},
+                                          {1, 0, falling}}};
+    set_triple(accelerator, accelerator.colour->channels,
+               wheel[static_cast<std::size_t>(sextant) % wheel.size()], state);
+}
+
+} // namespace
+
 void set_orbit(const Accelerator& accelerator, double yaw_degrees, double pitch_degrees,
                State& state) noexcept
 {
@@ -66,22 +83,20 @@ void set_orbit(const Accelerator& accelerator, double yaw_degrees, double pitch_
     set_triple(accelerator, accelerator.camera->up, up, state);
 }
 
-void set_hue(const Accelerator& accelerator, double hue, State& state) noexcept
+tl::expected<WordAndCount, Fault> read_word_and_count(Text words, unsigned otherwise, unsigned most,
+                                                      std::string_view allowed) noexcept
 {
-    const double sextant = std::floor(hue * 6.0);
-    const double rising = hue * 6.0 - sextant;
-    const double falling = 1.0 - rising;
-    const std::array<Triple, 6> wheel = {{{1, rising, 0},
-                                          {falling, 1, 0},
-                                          {0, 1, rising},
-                                          {0, falling, 1},
-                                          {rising, 0, 1},
-                                          {1, 0, falling}}};
-    set_triple(accelerator, accelerator.colour->channels,
-               wheel[static_cast<std::size_t>(sextant) % wheel.size()], state);
+    const std::size_t end = std::min(words.bytes.find_first_of(" \t"), words.bytes.size());
+    WordAndCount result{.word = words.first(end), .count = otherwise};
+    const Text number = words.from(end).trimmed();
+    if (number.empty())
+        return result;
+    const char* const last = number.bytes.data() + number.bytes.size();
+    const auto parsed = std::from_chars(number.bytes.data(), last, result.count);
+    if (parsed.ec != std::errc{} || parsed.ptr != last || result.count < 1 || result.count > most)
+        return tl::unexpected(argument_fault(number, allowed));
+    return result;
 }
-
-} // namespace
 
 std::optional<Fault> apply_view(const Accelerator& accelerator, Text words, State& state) noexcept
 {

@@ -12,6 +12,8 @@
 
 #include <optional>
 #include <random>
+#include <string_view>
+#include <tl/expected.hpp>
 
 namespace raymarch::protocol
 {
@@ -35,6 +37,22 @@ inline constexpr ArgumentRange hue_range = {"hue", "0", "1", "hue is 0 to 1"};
 /// U = F x R, zoom as its parameter. All or nothing. Errors: Argument.
 [[nodiscard]] std::optional<Fault> apply_view(const Accelerator& accelerator, Text words,
                                               State& state) noexcept;
+
+/// The word and the whole number behind it, as WALK, TURN and ANIMATE take them.
+struct WordAndCount
+{
+    Text word;
+    unsigned count = 0;
+};
+/// `WORD [COUNT]`, COUNT from 1 to `most` and `otherwise` where there is none. Errors: Argument.
+[[nodiscard]] tl::expected<WordAndCount, Fault>
+read_word_and_count(Text words, unsigned otherwise, unsigned most,
+                    std::string_view allowed) noexcept;
+
+/// The basis of the orbit camera, to the nearest codes: yaw 0 looks from +z, 90 from +x; pitch
+/// rises. The accelerator has such a camera.
+void set_orbit(const Accelerator& accelerator, double yaw_degrees, double pitch_degrees,
+               State& state) noexcept;
 
 /// `HUE h`: HSV to RGB at full saturation and value. Errors: Argument.
 [[nodiscard]] std::optional<Fault> apply_hue(const Accelerator& accelerator, Text words,

@@ -25,6 +25,9 @@ enum class CommandId : std::uint8_t {
     Save,
     Load,
     Accelerator,
+    Walk,
+    Turn,
+    Animate,
     Echo,
     Version,
     Ping,
@@ -45,6 +48,7 @@ struct CommandRow
     Effect effect;
     std::string_view arguments; ///< as HELP prints them; GROUP stands for the table's groups
     std::string_view summary;
+    Effect bare = Effect::Writes; ///< of a command that writes: what it does without words
 };
 
 // Laid out by hand: one row a command.
@@ -58,16 +62,25 @@ inline constexpr std::array commands = {
     CommandRow{CommandId::Reset,       "RESET",       Arity::Optional, Effect::Writes, "[GROUP]",        "back to the defaults, all or one group"},
     CommandRow{CommandId::Random,      "RANDOM",      Arity::Optional, Effect::Writes, "[GROUP]",        "values drawn inside the ranges, all or one group"},
     CommandRow{CommandId::Status,      "STATUS",      Arity::None,     Effect::Reads,  "",               "state of the service and the hardware, key=value"},
-    CommandRow{CommandId::Preset,      "PRESET",      Arity::Optional, Effect::Writes, "[NAME]",         "applies a view worth looking at; without a name lists them"},
+    CommandRow{CommandId::Preset,      "PRESET",      Arity::Optional, Effect::Writes, "[NAME]",         "applies a view worth looking at; without a name lists them", Effect::Reads},
     CommandRow{CommandId::Save,        "SAVE",        Arity::None,     Effect::Reads,  "",               "persists the present values now"},
     CommandRow{CommandId::Load,        "LOAD",        Arity::None,     Effect::Writes, "",               "returns to the values that were persisted"},
-    CommandRow{CommandId::Accelerator, "ACCELERATOR", Arity::None,     Effect::Reads,  "",               "which accelerator is active"},
+    CommandRow{CommandId::Accelerator, "ACCELERATOR", Arity::Optional, Effect::Writes, "[NAME]",         "which accelerator is active; with a name switches, where the block is emulated", Effect::Reads},
+    CommandRow{CommandId::Walk,        "WALK",        Arity::Required, Effect::Writes, "DIRECTION [STEPS]", "moves the camera by steps of the accelerator's own"},
+    CommandRow{CommandId::Turn,        "TURN",        Arity::Required, Effect::Writes, "DIRECTION [STEPS]", "turns the camera, or its field of view wider or narrower"},
+    CommandRow{CommandId::Animate,     "ANIMATE",     Arity::Required, Effect::Writes, "on|off [RATE]",  "lets the scene move by itself, RATE steps a second, 1 to 60"},
     CommandRow{CommandId::Echo,        "ECHO",        Arity::Required, Effect::Reads,  "on|off",         "echoes typed characters with backspace editing, for a person at a terminal"},
     CommandRow{CommandId::Version,     "VERSION",     Arity::None,     Effect::Reads,  "",               "version of the service and of the protocol"},
     CommandRow{CommandId::Ping,        "PING",        Arity::None,     Effect::Reads,  "",               "answers OK"},
     CommandRow{CommandId::Help,        "HELP",        Arity::Optional, Effect::Reads,  "[WORD]",         "explains a command, a parameter or an error code"},
 };
 // clang-format on
+
+/// What DIRECTION stands for.
+inline constexpr std::array<std::string_view, 6> walk_directions = {"forward", "back", "left",
+                                                                    "right",   "up",   "down"};
+inline constexpr std::array<std::string_view, 8> turn_directions = {
+    "left", "right", "up", "down", "roll_left", "roll_right", "wide", "narrow"};
 
 /// The command of that name (any case), or nullptr.
 [[nodiscard]] constexpr const CommandRow* find_command(std::string_view name) noexcept

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/help.hpp"
 
+#include "protocol/accelerators.hpp"
 #include "protocol/commands.hpp"
 #include "protocol/dequantizer.hpp"
 #include "protocol/errors.hpp"
@@ -30,6 +31,22 @@ void write_groups(ReplyWriter& reply, const Accelerator& accelerator) noexcept
         last = parameter.group;
     }
     reply.end_line();
+}
+
+void write_directions(ReplyWriter& reply, std::span<const std::string_view> directions) noexcept
+{
+    reply << "# DIRECTION is";
+    for (const std::string_view direction : directions)
+        reply << ' ' << direction;
+    reply.end_line();
+}
+
+void write_accelerators(ReplyWriter& reply) noexcept
+{
+    for (const Accelerator* accelerator : accelerators) {
+        reply << "# " << accelerator->name << " : " << accelerator->summary;
+        reply.end_line();
+    }
 }
 
 void write_parameter(ReplyWriter& reply, const Parameter& parameter) noexcept
@@ -65,6 +82,12 @@ bool write_help(ReplyWriter& reply, const Accelerator& accelerator, std::string_
         write_command(reply, *row);
         if (row->arguments.find("GROUP") != std::string_view::npos)
             write_groups(reply, accelerator);
+        if (row->id == CommandId::Walk)
+            write_directions(reply, walk_directions);
+        if (row->id == CommandId::Turn)
+            write_directions(reply, turn_directions);
+        if (row->id == CommandId::Accelerator)
+            write_accelerators(reply);
         return true;
     }
     if (const auto index = find_parameter(accelerator.parameters, word)) {

@@ -212,7 +212,7 @@ struct RowKeys
         std::array<char, 16> text{};
         std::size_t size = 0;
     };
-    static consteval auto make()
+    static constexpr auto make() // not consteval: clang 14 would not take it
     {
         std::array<Text, Rows * sizeof...(Columns)> keys{};
         const std::array<std::string_view, sizeof...(Columns)> names = {Columns.view()...};
@@ -236,7 +236,7 @@ struct RowKeys
 /// `pattern` once for each row of `Keys`, each `words_per_row` words further on than the one
 /// before. Defaults may be changed row by row before the table is completed.
 template <typename Keys>
-consteval auto repeated_rows(const std::array<Parameter, Keys::columns>& pattern,
+constexpr auto repeated_rows(const std::array<Parameter, Keys::columns>& pattern,
                              std::uint16_t words_per_row)
 {
     std::array<Parameter, Keys::rows * Keys::columns> table{};
@@ -253,7 +253,7 @@ consteval auto repeated_rows(const std::array<Parameter, Keys::columns>& pattern
 
 /// Tables one behind the other.
 template <std::size_t... N>
-consteval auto joined(const std::array<Parameter, N>&... tables)
+constexpr auto joined(const std::array<Parameter, N>&... tables)
 {
     std::array<Parameter, (N + ...)> all{};
     auto at = all.begin();

@@ -19,8 +19,8 @@ LAYERS: dict[str, set[str]] = {
     "pictures": {"base", "engine"},
     "emulation": {"base", "drivers", "engine", "protocol"},
     "conformance": {"base", "protocol"},
-    "daemon": {"base", "drivers", "emulation", "engine", "pictures", "protocol"},
-    "console": {"base", "conformance", "drivers", "engine", "pictures", "protocol"},
+    "daemon": {"base", "drivers", "emulation", "engine", "motion", "pictures", "protocol"},
+    "console": {"base", "conformance", "drivers", "engine", "motion", "pictures", "protocol"},
     "tools": {"base", "daemon", "protocol"},
 }
 

@@ -173,7 +173,7 @@ TEST(Controller, RestoringNeedsNoLine)
     EXPECT_FALSE(service.controller.restore(state));
     EXPECT_EQ(service.controller.state(), state); // kept for a board that comes later
     service.board.outcome = Applied::Written;
-    service.controller.board_is_back();
+    service.controller.board_is_back(protocol::default_accelerator);
     EXPECT_EQ(service.board.words, protocol::pack(protocol::marcher::description, state));
 }
 
@@ -182,7 +182,7 @@ TEST(Controller, StatusCountsRefusalsByCode)
     Service service;
     static_cast<void>(service.say("NOPE\nNOPE\nFX=2\nSET ZM=4\n"));
     EXPECT_EQ(service.say("STATUS\n"),
-              "OK accelerator=marcher serial=up locked=off applied=1 rejected=3 rejected.RANGE=1 "
+              "OK accelerator=marcher serial=up animate=0 locked=off applied=1 rejected=3 rejected.RANGE=1 "
               "rejected.UNKNOWN_COMMAND=2\r\n");
 }
 

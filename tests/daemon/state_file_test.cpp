@@ -23,6 +23,14 @@ protocol::State initial()
     return protocol::initial_state(accelerator);
 }
 
+/// Of the accelerator of this test alone.
+PersistedStates only(const PersistedState& state)
+{
+    PersistedStates states;
+    states.of(accelerator) = state;
+    return states;
+}
+
 const std::string default_frame =
     "FX=0,FY=0,FZ=0.99999,RX=0.99999,RY=0,RZ=0,UX=0,UY=0.99999,UZ=0,ZM=3,"
     "LX=3,LY=2,LZ=5,R=0.999,G=0.999,B=0.999,OBJ=sphere";
@@ -36,9 +44,9 @@ std::string checked(const std::string& body)
 
 TEST(StateFile, IsText)
 {
-    EXPECT_EQ(format_state_file(accelerator, {.last = initial(), .saved = std::nullopt}),
+    EXPECT_EQ(format_state_file(only({.last = initial(), .saved = std::nullopt})),
               checked("last marcher " + default_frame + "\n"));
-    EXPECT_EQ(format_state_file(accelerator, {}), checked(""));
+    EXPECT_EQ(format_state_file({}), checked(""));
 }
 
 TEST(StateFile, ComesBack)
@@ -50,26 +58,26 @@ TEST(StateFile, ComesBack)
             protocol::randomise(accelerator, "", random, state.last.emplace(initial()));
         if (test::pick(random, 0, 3) > 0)
             protocol::randomise(accelerator, "", random, state.saved.emplace(initial()));
-        const auto back = parse_state_file(accelerator, format_state_file(accelerator, state));
+        const auto back = parse_state_file(format_state_file(only(state)));
         ASSERT_TRUE(back) << back.error().message;
-        ASSERT_EQ(*back, state);
+        ASSERT_EQ(*back, only(state));
     }
 }
 
 std::string whole_file()
 {
-    return format_state_file(accelerator, {.last = initial(), .saved = initial()});
+    return format_state_file(only({.last = initial(), .saved = initial()}));
 }
 
 TEST(StateFile, IsRefusedWhenItIsCutAnywhere)
 {
     const std::string text = whole_file();
     for (std::size_t size = 0; size < text.size(); ++size) {
-        const auto result = parse_state_file(accelerator, text.substr(0, size));
+        const auto result = parse_state_file(text.substr(0, size));
         ASSERT_FALSE(result) << size << " bytes";
         EXPECT_EQ(result.error().kind, ErrorKind::BadData);
     }
-    EXPECT_TRUE(parse_state_file(accelerator, text));
+    EXPECT_TRUE(parse_state_file(text));
 }
 
 TEST(StateFile, IsRefusedWhenAnyByteIsWrong)
@@ -78,36 +86,35 @@ TEST(StateFile, IsRefusedWhenAnyByteIsWrong)
     for (std::size_t at = 0; at < text.size(); ++at) {
         std::string other = text;
         other[at] = static_cast<char>(other[at] ^ 1);
-        EXPECT_FALSE(parse_state_file(accelerator, other)) << "byte " << at;
+        EXPECT_FALSE(parse_state_file(other)) << "byte " << at;
     }
-    EXPECT_FALSE(parse_state_file(accelerator, text + "\n"));
-    EXPECT_FALSE(parse_state_file(accelerator, text + text));
-    EXPECT_FALSE(parse_state_file(accelerator, std::string(100, '\0')));
+    EXPECT_FALSE(parse_state_file(text + "\n"));
+    EXPECT_FALSE(parse_state_file(text + text));
+    EXPECT_FALSE(parse_state_file(std::string(100, '\0')));
 }
 
 TEST(StateFile, AnotherVersionIsRefused)
 {
     const std::string text = "raymarch-state 2\n";
-    const auto result =
-        parse_state_file(accelerator, text + fmt::format("crc32 {:08X}\n", crc32(text)));
+    const auto result = parse_state_file(text + fmt::format("crc32 {:08X}\n", crc32(text)));
     ASSERT_FALSE(result);
     EXPECT_NE(result.error().message.find("version"), std::string::npos);
 }
 
-TEST(StateFile, StatesOfAnotherAcceleratorAreLeftOut)
+TEST(StateFile, StatesOfAnUnknownAcceleratorAreLeftOut)
 {
-    const auto result = parse_state_file(
-        accelerator, checked("last fractal CX=0\nsaved marcher " + default_frame + "\n"));
+    auto result =
+        parse_state_file(checked("last unheard_of CX=0\nsaved marcher " + default_frame + "\n"));
     ASSERT_TRUE(result) << result.error().message;
-    EXPECT_FALSE(result->last);
-    EXPECT_EQ(result->saved, initial());
+    EXPECT_FALSE(result->of(accelerator).last);
+    EXPECT_EQ(result->of(accelerator).saved, initial());
 }
 
 TEST(StateFile, AStateThatIsNoFrameIsRefused)
 {
-    EXPECT_FALSE(parse_state_file(accelerator, checked("last marcher ZM=11\n")));
-    EXPECT_FALSE(parse_state_file(accelerator, checked("last marcher ZM=1\n")));
-    EXPECT_FALSE(parse_state_file(accelerator, checked("last marcher\n")));
+    EXPECT_FALSE(parse_state_file(checked("last marcher ZM=11\n")));
+    EXPECT_FALSE(parse_state_file(checked("last marcher ZM=1\n")));
+    EXPECT_FALSE(parse_state_file(checked("last marcher\n")));
 }
 
 } // namespace

@@ -76,7 +76,7 @@ void play_table(const std::string& name, std::size_t chunk)
     ASSERT_FALSE(rows->empty()) << path;
 
     test::Service service;
-    service.controller.board_is_back(); // the board gets the defaults
+    service.controller.board_is_back(protocol::default_accelerator); // the board gets the defaults
     for (const Row& row : *rows) {
         const testing::ScopedTrace trace(path.c_str(), static_cast<int>(row.line), row.why);
         const protocol::Words before = service.board.words;

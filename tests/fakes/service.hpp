@@ -7,6 +7,7 @@
 #include "daemon/session.hpp"
 #include "protocol/accelerators.hpp"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,14 @@ struct FakeBoard final : daemon::Board
             words = fresh;
         return outcome;
     }
+    [[nodiscard]] bool use(const protocol::Accelerator& accelerator) override
+    {
+        if (emulated)
+            used = &accelerator;
+        return emulated;
+    }
+    bool emulated = false;
+    const protocol::Accelerator* used = nullptr; ///< the last that was asked for
     daemon::Applied outcome = daemon::Applied::Written;
     protocol::Words words{}; ///< the newest that were taken
     int calls = 0;
@@ -31,17 +40,26 @@ struct FakeBoard final : daemon::Board
 
 struct FakeStorage final : daemon::Storage
 {
-    void changed(const protocol::State& state) override { changes.push_back(state); }
-    [[nodiscard]] bool save(const protocol::State& state) override
+    void changed(const Accelerator& /*accelerator*/, const State& state) override
+    {
+        changes.push_back(state);
+    }
+    [[nodiscard]] bool save(const Accelerator& /*accelerator*/, const State& state) override
     {
         if (works)
             saved = state;
         return works;
     }
-    [[nodiscard]] std::optional<protocol::State> load() override
+    [[nodiscard]] std::optional<protocol::State> load(const Accelerator& /*accelerator*/) override
     {
         return works ? saved : std::nullopt;
     }
+    [[nodiscard]] std::optional<State> last(const Accelerator& accelerator) override
+    {
+        const auto found = lasts.find(&accelerator);
+        return found == lasts.end() ? std::nullopt : std::optional(found->second);
+    }
+    std::map<const Accelerator*, State> lasts;
     bool works = true;
     std::vector<protocol::State> changes;
     std::optional<protocol::State> saved;

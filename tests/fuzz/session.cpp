@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
+#include <optional>
 
 namespace
 {
@@ -17,20 +19,26 @@ using namespace raymarch; // NOLINT(google-build-using-namespace)
 struct World final : daemon::Board, daemon::Storage, daemon::StatusSource
 {
     protocol::Words words{};
-    std::optional<protocol::State> saved;
+    std::map<const Accelerator*, State> saved;
 
     daemon::Applied apply(const protocol::Words& to) override
     {
         words = to;
         return daemon::Applied::Written;
     }
-    void changed(const protocol::State& /*state*/) override {}
-    bool save(const protocol::State& state) override
+    bool use(const protocol::Accelerator& /*accelerator*/) override { return true; }
+    void changed(const Accelerator& /*accelerator*/, const State& /*state*/) override {}
+    bool save(const Accelerator& accelerator, const State& state) override
     {
-        saved = state;
+        saved.insert_or_assign(&accelerator, state);
         return true;
     }
-    std::optional<protocol::State> load() override { return saved; }
+    std::optional<State> load(const Accelerator& accelerator) override
+    {
+        const auto found = saved.find(&accelerator);
+        return found == saved.end() ? std::nullopt : std::optional(found->second);
+    }
+    std::optional<State> last(const Accelerator& accelerator) override { return load(accelerator); }
     void write_status(protocol::ReplyWriter& /*reply*/) override {}
 };
 

@@ -15,16 +15,14 @@ using namespace raymarch; // NOLINT(google-build-using-namespace)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    const auto& accelerator = protocol::default_accelerator;
     // With a header and a right checksum, or the fuzzer would never get past them.
     std::string text =
         "raymarch-state 1\n" + std::string(reinterpret_cast<const char*>(data), size);
     text += fmt::format("crc32 {:08X}\n", crc32(text));
-    const auto state = daemon::parse_state_file(accelerator, text);
+    const auto state = daemon::parse_state_file(text);
     if (!state)
         return 0;
-    const auto again =
-        daemon::parse_state_file(accelerator, daemon::format_state_file(accelerator, *state));
+    const auto again = daemon::parse_state_file(daemon::format_state_file(*state));
     if (!again || !(*again == *state))
         std::abort();
     return 0;

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// `raymarchctl export`: a picture as Ethernet frames, on an interface or in a capture file.
+#include "console/grey_picture.hpp"
+#include "console/subcommands.hpp"
+#include "drivers/atomic_file.hpp"
+#include "drivers/packet_socket.hpp"
+#include "drivers/pcap_file.hpp"
+#include "pictures/netpbm.hpp"
+#include "protocol/picture_frames.hpp"
+
+#include <sysexits.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <thread>
+
+namespace raymarch::console
+{
+namespace
+{
+
+/// Whether frames wait for each other as in the source's hardware, or only for the interface.
+enum class Pace : std::uint8_t { AsTheSource, Fast };
+
+struct Options
+{
+    std::string interface;
+    std::string capture;
+    std::string input;
+    bool fast = false;
+};
+
+constexpr std::chrono::nanoseconds duration_of(std::uint32_t clocks) noexcept
+{
+    return std::chrono::nanoseconds(std::uint64_t{clocks} * protocol::nanoseconds_a_clock);
+}
+
+/// The times are those of the source's hardware, after a trigger at 0: the same picture gives the
+/// same file.
+Result<void> write_capture(const protocol::GreyPicture& picture, const std::string& path)
+{
+    drivers::PcapWriter writer;
+    for (std::size_t i = 0; i < protocol::export_frames; ++i)
+        writer.add(protocol::frame_of(picture, i).bytes(), duration_of(protocol::first_clock(i)));
+    return drivers::replace_file(path, writer.bytes(), drivers::Durability::BestEffort);
+}
+
+Result<void> send_frames(const protocol::GreyPicture& picture, drivers::FramePort& port, Pace pace)
+{
+    using Clock = std::chrono::steady_clock;
+    auto earliest = Clock::now();
+    for (std::size_t i = 0; i < protocol::export_frames; ++i) {
+        std::this_thread::sleep_until(earliest);
+        // From this frame, not from the first: what was late is not made up for by a burst.
+        if (pace == Pace::AsTheSource)
+            earliest = Clock::now() + duration_of(protocol::clocks_a_row);
+        if (auto sent = port.send(protocol::frame_of(picture, i).bytes()); !sent)
+            return sent;
+    }
+    return {};
+}
+
+Result<protocol::GreyPicture> read_picture(const std::string& path)
+{
+    constexpr std::size_t most_bytes = 64 << 20;
+    const auto in_file = [&path](Error error) {
+        error.message = path + ": " + error.message;
+        return fail(std::move(error));
+    };
+    const auto bytes = drivers::read_file(path, most_bytes);
+    if (!bytes)
+        return fail(bytes.error());
+    const auto image = pictures::decode_netpbm(*bytes);
+    if (!image)
+        return in_file(image.error());
+    auto picture = grey_of(*image);
+    if (!picture)
+        return in_file(picture.error());
+    return picture;
+}
+
+Result<void> export_picture(const protocol::GreyPicture& picture, const Options& options)
+{
+    if (!options.capture.empty())
+        return write_capture(picture, options.capture);
+    auto port = drivers::PacketSocket::open(options.interface);
+    if (!port)
+        return fail(port.error());
+    return send_frames(picture, **port, options.fast ? Pace::Fast : Pace::AsTheSource);
+}
+
+Result<void> run_export(const Options& options)
+{
+    const auto picture = read_picture(options.input);
+    if (!picture)
+        return fail(picture.error());
+    return export_picture(*picture, options);
+}
+
+} // namespace
+
+void add_export(CLI::App& app, Run& run)
+{
+    CLI::App* const command =
+        app.add_subcommand("export", "a 400x300 picture in 16 greys as Ethernet frames");
+    const auto options = std::make_shared<Options>();
+    CLI::Option_group* const where = command->add_option_group("where to");
+    CLI::Option* const interface =
+        where->add_option("--interface", options->interface, "a network interface; CAP_NET_RAW")
+            ->type_name("IF");
+    where->add_option("--pcap", options->capture, "a capture file")->type_name("FILE");
+    where->require_option(1);
+    command
+        ->add_option("--input", options->input, "the picture, pgm or ppm, levels times 17 or of 15")
+        ->type_name("FILE")
+        ->required();
+    command
+        ->add_flag("--fast", options->fast,
+                   "as fast as the interface takes the frames, not as the source's hardware")
+        ->needs(interface);
+    command->callback([options, &run] {
+        run = [options] {
+            const auto result = run_export(*options);
+            return result ? EX_OK : report(result.error());
+        };
+    });
+}
+
+} // namespace raymarch::console

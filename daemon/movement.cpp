@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "daemon/movement.hpp"
+
+#include "motion/movers.hpp"
+#include "protocol/arguments.hpp"
+#include "protocol/commands.hpp"
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace raymarch::daemon
+{
+namespace
+{
+
+using motion::Input;
+using protocol::ErrorCode;
+using protocol::Fault;
+
+/// All at once, on the event loop: so many that it is not held up for long.
+constexpr unsigned most_steps = 1000;
+constexpr unsigned default_rate = 20;
+constexpr unsigned most_rate = 60;
+
+/// In the order of the names (protocol/commands.hpp).
+constexpr std::array<Input, protocol::walk_directions.size()> walks = {
+    Input::Forward, Input::Back, Input::StrafeLeft, Input::StrafeRight, Input::Up, Input::Down};
+constexpr std::array<Input, protocol::turn_directions.size()> turns = {
+    Input::TurnLeft, Input::TurnRight, Input::TurnUp, Input::TurnDown,
+    Input::RollLeft, Input::RollRight, Input::Widen,  Input::Narrow};
+
+tl::unexpected<Fault> argument_fault(protocol::Text at, std::string_view allowed) noexcept
+{
+    return tl::unexpected(
+        Fault{.code = ErrorCode::Argument, .column = at.column, .allowed = allowed});
+}
+
+tl::expected<Steps, Fault> read_steps(protocol::Text words, std::span<const std::string_view> names,
+                                      std::span<const Input> inputs,
+                                      std::string_view allowed) noexcept
+{
+    const auto read = protocol::read_word_and_count(words, 1, most_steps, "STEPS is 1 to 1000");
+    if (!read)
+        return tl::unexpected(read.error());
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (protocol::equal_ignoring_case(names[i], read->word.bytes))
+            return Steps{.inputs = inputs[i], .count = read->count};
+    return argument_fault(words, allowed);
+}
+
+} // namespace
+
+tl::expected<Steps, Fault> read_walk(protocol::Text words) noexcept
+{
+    return read_steps(words, protocol::walk_directions, walks, "HELP WALK names the directions");
+}
+
+tl::expected<Steps, Fault> read_turn(protocol::Text words) noexcept
+{
+    return read_steps(words, protocol::turn_directions, turns, "HELP TURN names the directions");
+}
+
+tl::expected<unsigned, Fault> read_animate(protocol::Text words) noexcept
+{
+    const auto read =
+        protocol::read_word_and_count(words, default_rate, most_rate, "RATE is 1 to 60");
+    if (!read)
+        return tl::unexpected(read.error());
+    if (protocol::equal_ignoring_case(read->word.bytes, "on"))
+        return read->count;
+    if (!protocol::equal_ignoring_case(read->word.bytes, "off"))
+        return argument_fault(words, "ANIMATE takes on or off");
+    if (read->word.bytes.size() < words.bytes.size())
+        return argument_fault(words.from(read->word.bytes.size()).trimmed(),
+                              "ANIMATE off takes no rate");
+    return 0U;
+}
+
+void Movement::move(const protocol::Accelerator& accelerator, protocol::State& state,
+                    const Steps& steps)
+{
+    if (accelerator_ != &accelerator) {
+        mover_ = motion::mover_of(accelerator);
+        accelerator_ = &accelerator;
+    }
+    for (unsigned i = 0; mover_ && i < steps.count; ++i)
+        mover_->step(state, steps.inputs);
+}
+
+} // namespace raymarch::daemon

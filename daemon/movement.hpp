@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// WALK, TURN and ANIMATE: words to inputs, inputs to the movement of the active accelerator.
+#pragma once
+
+#include "motion/mover.hpp"
+#include "protocol/errors.hpp"
+#include "protocol/text.hpp"
+
+#include <memory>
+#include <tl/expected.hpp>
+
+namespace raymarch::daemon
+{
+
+/// What WALK or TURN asks for.
+struct Steps
+{
+    motion::Inputs inputs;
+    unsigned count = 1;
+};
+/// `DIRECTION [STEPS]`. Errors: Argument.
+[[nodiscard]] tl::expected<Steps, protocol::Fault> read_walk(protocol::Text words) noexcept;
+[[nodiscard]] tl::expected<Steps, protocol::Fault> read_turn(protocol::Text words) noexcept;
+
+/// `on [RATE]` or `off`: steps a second, 0 for off. Errors: Argument.
+[[nodiscard]] tl::expected<unsigned, protocol::Fault> read_animate(protocol::Text words) noexcept;
+
+/// The movement of whichever accelerator is active.
+class Movement
+{
+  public:
+    /// Moves `state`, a state of `accelerator`; nothing where that accelerator does not move.
+    void move(const protocol::Accelerator& accelerator, protocol::State& state, const Steps& steps);
+
+  private:
+    const protocol::Accelerator* accelerator_ = nullptr; ///< whose mover it is
+    std::unique_ptr<motion::Mover> mover_;
+};
+
+} // namespace raymarch::daemon

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "engine/fractal/fractal.hpp"
+
+#include "engine/fractal/checkerboard.hpp"
+#include "engine/fractal/controller.hpp"
+#include "engine/fractal/display.hpp"
+#include "engine/fractal/ray_generator.hpp"
+#include "engine/fractal/ray_marcher.hpp"
+#include "engine/fractal/shading.hpp"
+
+#include <algorithm>
+
+namespace raymarch::engine::fractal
+{
+
+void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
+              std::span<PixelCost> costs) noexcept
+{
+    const SceneRow& scene = scene_row(frame.scene);
+    const Camera camera = camera_along(frame.forward);
+    const Plane plane = plane_of(row.size);
+    const Palette colours = palette(frame.colour ? Colouring::Hue : Colouring::Grey, frame.hue);
+    for (std::uint16_t x = 0; x < row.size.width; ++x) {
+        costs[x] = {};
+        if (frame.checker && !in_half(row.frame, x, row.y))
+            continue;
+        const Point direction = ray_direction(camera, plane, x, row.y);
+        const March ray = march(frame.position, direction, scene.distance);
+        costs[x] = {.steps = ray.depth + 1U, .rays = 1};
+        std::ranges::copy(colours[grey(frame, ray, x, row.y)],
+                          pixels.begin() + std::ptrdiff_t{x} * 3);
+    }
+}
+
+unsigned frames_of_a_still(const Frame& frame) noexcept
+{
+    return frame.checker ? checkerboard_frames : 1;
+}
+
+void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
+              std::span<PixelCost> costs) noexcept
+{
+    draw_row(latch(words), row, pixels, costs);
+}
+
+std::uint64_t frame_cycles(WordSpan words, RowOf last_row, std::span<const PixelCost> costs,
+                           unsigned units) noexcept
+{
+    return controller_cycles(latch(words), last_row, costs, units);
+}
+
+unsigned frames_of_a_still(WordSpan words) noexcept
+{
+    return frames_of_a_still(latch(words));
+}
+
+} // namespace raymarch::engine::fractal

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "engine/whitted/whitted.hpp"
+
+#include "engine/whitted/cycles.hpp"
+#include "engine/whitted/pixel.hpp"
+
+#include <algorithm>
+
+namespace raymarch::engine::whitted
+{
+
+void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
+              std::span<PixelCost> costs) noexcept
+{
+    draw_row(latch(words), row.size, row.y, pixels, costs);
+}
+
+std::uint64_t frame_cycles(WordSpan words, RowOf last_row, std::span<const PixelCost> costs,
+                           unsigned units) noexcept
+{
+    return (frame_cost(latch(words), last_row.size, costs).cycles + units - 1) / units;
+}
+
+void draw_row(const Frame& frame, PictureSize size, unsigned y, std::span<std::uint8_t> pixels,
+              std::span<PixelCost> costs) noexcept
+{
+    for (std::size_t x = 0; x < size.width; ++x) {
+        const Pixel pixel = draw_pixel(frame, size, static_cast<unsigned>(x), y);
+        std::ranges::copy(displayed(pixel.word),
+                          pixels.begin() + static_cast<std::ptrdiff_t>(bytes_per_pixel * x));
+        costs[x] = pixel.cost;
+    }
+}
+
+FrameCost frame_cost(const Frame& frame, PictureSize size,
+                     std::span<const PixelCost> costs) noexcept
+{
+    FrameCost sum{.cycles = cycles::end_of_frame, .rays = 0};
+    const auto add = [&](const PixelCost& cost) {
+        sum.cycles += cost.steps;
+        sum.rays += cost.rays;
+    };
+    std::ranges::for_each(costs, add);
+    if (frame.defects.has(Defect::ExtraPixels)) {
+        for (unsigned x = 0; x <= size.width; ++x)
+            add(draw_pixel(frame, size, x, size.height).cost);
+        for (unsigned y = 0; y < size.height; ++y)
+            add(draw_pixel(frame, size, size.width, y).cost);
+    }
+    return sum;
+}
+
+} // namespace raymarch::engine::whitted

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The registry of movements: one line an accelerator, beside protocol/accelerators.hpp.
+#pragma once
+
+#include "motion/fractal.hpp"
+#include "motion/mandelbulb.hpp"
+#include "motion/marcher.hpp"
+#include "motion/mover.hpp"
+#include "motion/sphere.hpp"
+#include "motion/whitted.hpp"
+#include "protocol/accelerators.hpp"
+
+#include <array>
+
+namespace raymarch::motion
+{
+
+inline constexpr std::array movers = {
+    MoverRow{&protocol::marcher::description,
+             make_mover<marcher::enter, marcher::step, marcher::leave>},
+    MoverRow{&protocol::fractal::description,
+             make_mover<fractal::enter, fractal::step, fractal::leave>},
+    MoverRow{&protocol::sphere::description,
+             make_mover<sphere::enter, sphere::step, sphere::leave>},
+    MoverRow{&protocol::mandelbulb::description,
+             make_mover<mandelbulb::enter, mandelbulb::step, mandelbulb::leave>},
+    MoverRow{&protocol::whitted::description,
+             make_mover<whitted::enter, whitted::step, whitted::leave>},
+};
+
+/// A mover for that accelerator; nullptr where nothing moves.
+[[nodiscard]] inline std::unique_ptr<Mover> mover_of(const protocol::Accelerator& description)
+{
+    for (const MoverRow& row : movers)
+        if (row.description == &description)
+            return row.make();
+    return nullptr;
+}
+
+} // namespace raymarch::motion

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// raymarchctl export and receive, over capture files. Over a network: export_over_veth.py.
+#include "service/support.hpp"
+
+#include "protocol/picture_frames.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sysexits.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace raymarch::tests
+{
+namespace
+{
+
+constexpr std::size_t file_header = 24;
+constexpr std::size_t record_header = 16;
+
+std::string content(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write(const std::string& path, std::string_view bytes)
+{
+    std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// Every level, and no row like another.
+protocol::GreyPicture some_picture()
+{
+    protocol::GreyPicture picture;
+    for (std::size_t y = 0; y < protocol::export_size.height; ++y)
+        for (std::size_t x = 0; x < protocol::export_size.width; ++x)
+            picture.row(y)[x] = static_cast<std::uint8_t>((x * (y + 1) / 7 + y / 16) % 16);
+    return picture;
+}
+
+std::string as_pgm(const protocol::GreyPicture& picture)
+{
+    std::string bytes = "P5\n400 300\n15\n";
+    bytes.append(picture.levels.begin(), picture.levels.end());
+    return bytes;
+}
+
+std::string as_ppm(const protocol::GreyPicture& picture)
+{
+    std::string bytes = "P6\n400 300\n255\n";
+    for (const std::uint8_t level : picture.levels)
+        bytes.append(3, static_cast<char>(17 * level));
+    return bytes;
+}
+
+/// The records of a capture as they stand in the file.
+std::vector<std::string> records_of(const std::string& capture)
+{
+    std::vector<std::string> records;
+    for (std::size_t at = file_header; at < capture.size();) {
+        const std::size_t size = static_cast<std::uint8_t>(capture[at + 8]); // none is longer
+        records.push_back(capture.substr(at, record_header + size));
+        at += record_header + size;
+    }
+    return records;
+}
+
+class Export : public testing::Test
+{
+  protected:
+    /// The records of an export of `some_picture`, and the header before them.
+    std::vector<std::string> exported()
+    {
+        write(folder / "in.pgm", as_pgm(some_picture()));
+        const Finished result =
+            run_tool(folder, {"export", "--pcap", capture, "--input", folder / "in.pgm"});
+        EXPECT_EQ(result.status, EX_OK) << result.errors;
+        const std::string bytes = content(capture);
+        header = bytes.substr(0, file_header);
+        return records_of(bytes);
+    }
+    void write_capture(const std::vector<std::string>& records) const
+    {
+        std::string bytes = header;
+        for (const std::string& record : records)
+            bytes += record;
+        write(capture, bytes);
+    }
+    Finished receive(std::vector<std::string> more = {}) const
+    {
+        std::vector<std::string> arguments = {"receive", "--pcap", capture, "-o", picture};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run_tool(folder, arguments);
+    }
+
+    TemporaryFolder folder;
+    std::string capture = folder / "export.pcap";
+    std::string picture = folder / "out.ppm";
+    std::string header;
+};
+
+TEST_F(Export, TheCaptureIsTheFramesAtTheirTimes)
+{
+    const auto records = exported();
+    ASSERT_EQ(records.size(), protocol::export_frames);
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        const auto frame = protocol::frame_of(some_picture(), i);
+        const std::string bytes(frame.bytes().begin(), frame.bytes().end());
+        ASSERT_EQ(records[i].substr(record_header), bytes) << i;
+    }
+    const auto microseconds = [&records](std::size_t i) {
+        return static_cast<std::uint8_t>(records[i][4]) +
+               256 * static_cast<std::uint8_t>(records[i][5]);
+    };
+    EXPECT_EQ(microseconds(0), 0);      // clock 5
+    EXPECT_EQ(microseconds(1), 7);      // clock 370
+    EXPECT_EQ(microseconds(400), 7835); // clock 391789
+}
+
+TEST_F(Export, ThePictureComesBack)
+{
+    const auto records = exported();
+    const Finished result = receive();
+    EXPECT_EQ(result.status, EX_OK) << result.errors;
+    EXPECT_EQ(result.errors, "");
+    EXPECT_EQ(content(picture), as_ppm(some_picture()));
+
+    const std::string first = content(capture); // and from a PPM the same frames
+    EXPECT_EQ(run_tool(folder, {"export", "--pcap", capture, "--input", picture}).status, EX_OK);
+    EXPECT_EQ(content(capture), first);
+    const Finished standard = run_tool(folder, {"receive", "--pcap", capture, "-o", "-"});
+    EXPECT_EQ(standard.output, as_ppm(some_picture()));
+}
+
+TEST_F(Export, MissingRowsAreNamed)
+{
+    auto records = exported();
+    records.erase(records.begin() + 18, records.begin() + 22);
+    records.erase(records.begin() + 4);
+    write_capture(records);
+    const Finished result = receive();
+    EXPECT_EQ(result.status, EX_DATAERR);
+    EXPECT_EQ(result.errors,
+              "raymarchctl: " + capture + ": missing of the picture: rows 3, 17-20\n");
+    EXPECT_FALSE(std::filesystem::exists(picture));
+
+    EXPECT_EQ(receive({"--partial"}).status, EX_DATAERR);
+    protocol::GreyPicture wanted = some_picture();
+    for (const std::size_t row : {3U, 17U, 18U, 19U, 20U})
+        std::ranges::fill(wanted.row(row), std::uint8_t{0});
+    EXPECT_EQ(content(picture), as_ppm(wanted));
+}
+
+TEST_F(Export, DamagedDoubledAndDisorderedFrames)
+{
+    auto records = exported();
+    std::string damaged = records[9];
+    damaged[record_header + 13] = 1; // a row number of 2^24 and more
+    std::ranges::reverse(records);
+    records.insert(records.begin(), {damaged, records[200]});
+    write_capture(records);
+    const Finished result = receive();
+    EXPECT_EQ(result.status, EX_OK) << result.errors;
+    EXPECT_EQ(result.errors, "raymarchctl: damaged frames: 1, doubled rows: 1\n");
+    EXPECT_EQ(content(picture), as_ppm(some_picture()));
+}
+
+TEST_F(Export, RowsBeforeTheStartFrameAreTakenWithANote)
+{
+    auto records = exported();
+    std::ranges::rotate(records, records.begin() + 200);
+    write_capture(records);
+    const Finished result = receive();
+    EXPECT_EQ(result.status, EX_OK);
+    EXPECT_NE(result.errors.find("before the start frame"), std::string::npos) << result.errors;
+    EXPECT_EQ(content(picture), as_ppm(some_picture()));
+}
+
+TEST_F(Export, ACaptureWithoutAPicture)
+{
+    const auto records = exported();
+    write_capture({records[0]});
+    const Finished nothing = receive({"--partial"});
+    EXPECT_EQ(nothing.status, EX_DATAERR);
+    EXPECT_NE(nothing.errors.find("no row of a picture"), std::string::npos) << nothing.errors;
+    EXPECT_FALSE(std::filesystem::exists(picture));
+
+    write(capture, header + records[0] + records[1].substr(0, 50));
+    const Finished cut = receive();
+    EXPECT_EQ(cut.status, EX_DATAERR);
+    EXPECT_NE(cut.errors.find("is cut off"), std::string::npos) << cut.errors;
+    write(capture, "no capture");
+    EXPECT_EQ(receive().status, EX_DATAERR);
+    std::filesystem::remove(capture);
+    EXPECT_EQ(receive().status, EX_UNAVAILABLE);
+}
+
+TEST_F(Export, OnlyWhatTheFormatHoldsIsExported)
+{
+    const auto why = [this](const std::string& bytes) {
+        write(folder / "in.ppm", bytes);
+        const Finished result =
+            run_tool(folder, {"export", "--pcap", capture, "--input", folder / "in.ppm"});
+        EXPECT_EQ(result.status, EX_DATAERR);
+        EXPECT_FALSE(std::filesystem::exists(capture));
+        const std::string front = "raymarchctl: " + (folder / "in.ppm") + ": ";
+        EXPECT_EQ(result.errors.substr(0, front.size()), front);
+        return result.errors.substr(std::min(front.size(), result.errors.size()));
+    };
+    const std::string allowed = "; what can be exported is 400x300 in 16 levels of grey, as the "
+                                "accelerator fractal draws\n";
+    const std::string whole = as_ppm(some_picture());
+    const std::size_t pixels = whole.size() - std::size_t{3} * 400 * 300;
+    const std::size_t pixel = pixels + 3 * (400 * 7 + 21);
+
+    std::string coloured = whole;
+    coloured.replace(pixel, 3, "\x11\x22\x11");
+    EXPECT_EQ(why(coloured), "the pixel in column 21, row 7 is 17,34,17, not grey" + allowed);
+    std::string between = whole;
+    between.replace(pixel, 3, "\x12\x12\x12");
+    EXPECT_EQ(why(between), "the pixel in column 21, row 7 is 18, no multiple of 17" + allowed);
+    EXPECT_EQ(why("P5 1 1 255 x"), "the picture is 1x1" + allowed);
+    EXPECT_EQ(why("nothing"), "is no binary PGM or PPM picture (P5, P6)\n");
+}
+
+TEST_F(Export, WrongCommandLines)
+{
+    write(folder / "in.pgm", as_pgm(some_picture()));
+    const std::string input = folder / "in.pgm";
+    const auto status = [this](const std::vector<std::string>& arguments) {
+        return run_tool(folder, arguments).status;
+    };
+    EXPECT_EQ(status({"export", "--input", input}), EX_USAGE);
+    EXPECT_EQ(status({"export", "--pcap", capture}), EX_USAGE);
+    EXPECT_EQ(status({"export", "--pcap", capture, "--interface", "lo", "--input", input}),
+              EX_USAGE);
+    EXPECT_EQ(status({"export", "--pcap", capture, "--fast", "--input", input}), EX_USAGE);
+    EXPECT_EQ(status({"receive", "--pcap", capture}), EX_USAGE);
+    EXPECT_EQ(status({"receive", "-o", picture}), EX_USAGE);
+    EXPECT_EQ(status({"receive", "--pcap", capture, "-o", folder / "out.gif"}), EX_USAGE);
+    EXPECT_EQ(status({"receive", "--pcap", capture, "--timeout", "1", "-o", picture}), EX_USAGE);
+    EXPECT_EQ(status({"receive", "--interface", "lo", "--timeout", "0", "-o", picture}), EX_USAGE);
+    EXPECT_EQ(status({"export", "--interface", "nosuch0", "--input", input}), EX_UNAVAILABLE);
+    EXPECT_EQ(status({"export", "--pcap", folder / "no/such/file", "--input", input}), EX_IOERR);
+    EXPECT_EQ(status({"export", "--pcap", capture, "--input", folder / "none"}), EX_UNAVAILABLE);
+}
+
+} // namespace
+} // namespace raymarch::tests
