@@ -20,6 +20,8 @@ void add_decode(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_export(CLI::App& app, Run& run);
 void add_receive(CLI::App& app, Run& run);
+void add_sheet(CLI::App& app, Run& run);
+void add_zoom(CLI::App& app, Run& run);
 void add_send(CLI::App& app, Run& run);
 void add_console(CLI::App& app, Run& run);
 void add_status(CLI::App& app, Run& run);

@@ -36,7 +36,7 @@ Result<protocol::State> state_of_line(const protocol::Accelerator& accelerator,
         return fail(refused(accelerator, request.fault));
     if (request.kind != protocol::Request::Kind::Frame)
         return fail(plain_error(ErrorKind::BadData, "--line takes a parameter frame"));
-    protocol::State state;
+    protocol::State state = protocol::initial_state(accelerator);
     if (const auto fault = protocol::read_frame(accelerator, request.text, state))
         return fail(refused(accelerator, *fault));
     return state;
@@ -47,12 +47,9 @@ Result<protocol::State> changed_defaults(const protocol::Accelerator& accelerato
                                          std::optional<std::string_view> settings)
 {
     protocol::State state = protocol::initial_state(accelerator);
-    protocol::ParameterSet given;
-    if (!settings)
-        return state;
-    if (const auto fault =
-            protocol::read_assignments(accelerator, {.bytes = *settings}, state, given))
-        return fail(refused(accelerator, *fault));
+    if (settings)
+        if (const auto changed = change(accelerator, *settings, state); !changed)
+            return fail(changed.error());
     return state;
 }
 
@@ -91,6 +88,16 @@ Result<protocol::State> state_of_scene(const protocol::Accelerator& accelerator,
 }
 
 } // namespace
+
+Result<void> change(const protocol::Accelerator& accelerator, std::string_view settings,
+                    protocol::State& state)
+{
+    protocol::ParameterSet given;
+    if (const auto fault =
+            protocol::read_assignments(accelerator, {.bytes = settings}, state, given))
+        return fail(refused(accelerator, *fault));
+    return {};
+}
 
 void add_view_options(CLI::App& command, ViewOptions& options)
 {

@@ -11,6 +11,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace raymarch::console
@@ -30,6 +31,10 @@ struct ViewOptions
 
 /// --accelerator, --size, and the group "what to draw". `options` lives as long as `command`.
 void add_view_options(CLI::App& command, ViewOptions& options);
+
+/// Changes `state` as SET does. Errors: BadData with the reply of the service.
+[[nodiscard]] Result<void> change(const protocol::Accelerator& accelerator,
+                                  std::string_view settings, protocol::State& state);
 
 // Of the accelerator that `options` name, see accelerator_named. Errors: Usage; BadData with the
 // reply of the service to a bad frame or bad changes.
