@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/result.hpp"
+#include "protocol/accelerators.hpp"
 #include "protocol/parameters.hpp"
 #include "protocol/registers.hpp"
 
@@ -19,7 +20,7 @@ namespace raymarch::console
 /// At most one of line, words, settings, preset and scene is given; none: the defaults.
 struct ViewOptions
 {
-    std::string accelerator;
+    std::string accelerator{protocol::default_accelerator.name};
     std::optional<std::string> line;
     std::vector<std::string> words;
     std::optional<std::string> settings;
@@ -28,8 +29,9 @@ struct ViewOptions
     std::optional<std::string> size;
 };
 
-/// --accelerator, --size, and the group "what to draw". `options` lives as long as `command`.
-void add_view_options(CLI::App& command, ViewOptions& options);
+/// --accelerator, --size, and the group "what to draw", which it returns. The accelerator that
+/// `options` name now is the default. `options` lives as long as `command`.
+CLI::Option_group& add_view_options(CLI::App& command, ViewOptions& options);
 
 // Of the accelerator that `options` name, see accelerator_named. Errors: Usage; BadData with the
 // reply of the service to a bad frame or bad changes.
