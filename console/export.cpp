@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl export`: a picture as Ethernet frames, on an interface or in a capture file.
+/// `raymarchctl export`: a picture, of a file or of the engine, as Ethernet frames, on an interface
+/// or in a capture file.
 #include "console/grey_picture.hpp"
 #include "console/subcommands.hpp"
+#include "console/view_options.hpp"
+#include "console/words.hpp"
 #include "drivers/atomic_file.hpp"
 #include "drivers/packet_socket.hpp"
 #include "drivers/pcap_file.hpp"
+#include "engine/draw.hpp"
+#include "engine/models.hpp"
 #include "pictures/netpbm.hpp"
+#include "protocol/accelerators.hpp"
 #include "protocol/picture_frames.hpp"
 
 #include <sysexits.h>
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -28,7 +35,9 @@ struct Options
 {
     std::string interface;
     std::string capture;
-    std::string input;
+    std::optional<std::string> input; ///< none: the view
+    ViewOptions view;
+    unsigned threads = 0;
     bool fast = false;
 };
 
@@ -81,6 +90,24 @@ Result<protocol::GreyPicture> read_picture(const std::string& path)
     return picture;
 }
 
+/// The picture decides whether it can be exported, not whose it is.
+Result<protocol::GreyPicture> draw_picture(const Options& options)
+{
+    const auto accelerator = accelerator_named(options.view.accelerator);
+    if (!accelerator)
+        return fail(accelerator.error());
+    const auto size = size_of(**accelerator, options.view);
+    if (!size)
+        return fail(size.error());
+    const auto words = words_of(**accelerator, options.view);
+    if (!words)
+        return fail(words.error());
+    engine::Image image(*size);
+    if (*size == protocol::export_size) // else there is nothing to draw it for
+        engine::draw_still(engine::model_of(**accelerator), *words, image, options.threads);
+    return grey_of(image);
+}
+
 Result<void> export_picture(const protocol::GreyPicture& picture, const Options& options)
 {
     if (!options.capture.empty())
@@ -93,7 +120,7 @@ Result<void> export_picture(const protocol::GreyPicture& picture, const Options&
 
 Result<void> run_export(const Options& options)
 {
-    const auto picture = read_picture(options.input);
+    const auto picture = options.input ? read_picture(*options.input) : draw_picture(options);
     if (!picture)
         return fail(picture.error());
     return export_picture(*picture, options);
@@ -112,10 +139,18 @@ void add_export(CLI::App& app, Run& run)
             ->type_name("IF");
     where->add_option("--pcap", options->capture, "a capture file")->type_name("FILE");
     where->require_option(1);
-    command
-        ->add_option("--input", options->input, "the picture, pgm or ppm, levels times 17 or of 15")
+    options->view.accelerator = protocol::fractal::description.name; // whose export it is
+    CLI::Option_group& what = add_view_options(*command, options->view);
+    what.description("(one of them)");
+    what.require_option(1);
+    CLI::Option* const threads =
+        command->add_option("--threads", options->threads, "that draw; 0 is one for each processor")
+            ->check(CLI::Range(0, 256))
+            ->type_name("N");
+    what.add_option("--input", options->input,
+                    "no view but this picture, pgm or ppm, levels times 17 or of 15")
         ->type_name("FILE")
-        ->required();
+        ->excludes(command->get_option("--accelerator"), command->get_option("--size"), threads);
     command
         ->add_flag("--fast", options->fast,
                    "as fast as the interface takes the frames, not as the source's hardware")

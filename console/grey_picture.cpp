@@ -17,7 +17,7 @@ tl::unexpected<Error> no_export(const std::string& why)
     return fail(plain_error(
         ErrorKind::BadData,
         fmt::format("{}; what can be exported is {}x{} in 16 levels of grey, as the accelerator "
-                    "fractal draws",
+                    "fractal draws with COLOUR=off",
                     why, protocol::export_size.width, protocol::export_size.height)));
 }
 

@@ -100,6 +100,7 @@ Result<void> change(const protocol::Accelerator& accelerator, std::string_view s
 }
 
 void add_view_options(CLI::App& command, ViewOptions& options)
+CLI::Option_group& add_view_options(CLI::App& command, ViewOptions& options)
 {
     CLI::Option_group* const what =
         command.add_option_group("what to draw", "(default: the accelerator's defaults)");
@@ -112,11 +113,13 @@ void add_view_options(CLI::App& command, ViewOptions& options)
     what->add_option("--preset", options.preset, "a view worth looking at")->type_name("NAME");
     what->add_option("--scene", options.scene, "the defaults in this scene")->type_name("NAME");
     what->require_option(0, 1);
-    options.accelerator = protocol::default_accelerator.name;
-    command.add_option("--accelerator", options.accelerator, "which one (default: marcher)")
+    command
+        .add_option("--accelerator", options.accelerator,
+                    fmt::format("which one (default: {})", options.accelerator))
         ->type_name("NAME");
     command.add_option("--size", options.size, "of the picture (default: the accelerator's)")
         ->type_name("WxH");
+    return *what;
 }
 
 Result<protocol::State> state_of(const protocol::Accelerator& accelerator,

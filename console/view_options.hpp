@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/result.hpp"
+#include "protocol/accelerators.hpp"
 #include "protocol/parameters.hpp"
 #include "protocol/registers.hpp"
 
@@ -20,7 +21,7 @@ namespace raymarch::console
 /// At most one of line, words, settings, preset and scene is given; none: the defaults.
 struct ViewOptions
 {
-    std::string accelerator;
+    std::string accelerator{protocol::default_accelerator.name};
     std::optional<std::string> line;
     std::vector<std::string> words;
     std::optional<std::string> settings;
@@ -29,8 +30,9 @@ struct ViewOptions
     std::optional<std::string> size;
 };
 
-/// --accelerator, --size, and the group "what to draw". `options` lives as long as `command`.
-void add_view_options(CLI::App& command, ViewOptions& options);
+/// --accelerator, --size, and the group "what to draw", which it returns. The accelerator that
+/// `options` name now is the default. `options` lives as long as `command`.
+CLI::Option_group& add_view_options(CLI::App& command, ViewOptions& options);
 
 /// Changes `state` as SET does. Errors: BadData with the reply of the service.
 [[nodiscard]] Result<void> change(const protocol::Accelerator& accelerator,

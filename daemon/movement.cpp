@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/movement.hpp"
 
+#include "motion/directions.hpp"
 #include "motion/movers.hpp"
 #include "protocol/arguments.hpp"
-#include "protocol/commands.hpp"
 
-#include <array>
-#include <span>
+#include <optional>
 #include <string_view>
 
 namespace raymarch::daemon
@@ -23,29 +22,22 @@ constexpr unsigned most_steps = 1000;
 constexpr unsigned default_rate = 20;
 constexpr unsigned most_rate = 60;
 
-/// In the order of the names (protocol/commands.hpp).
-constexpr std::array<Input, protocol::walk_directions.size()> walks = {
-    Input::Forward, Input::Back, Input::StrafeLeft, Input::StrafeRight, Input::Up, Input::Down};
-constexpr std::array<Input, protocol::turn_directions.size()> turns = {
-    Input::TurnLeft, Input::TurnRight, Input::TurnUp, Input::TurnDown,
-    Input::RollLeft, Input::RollRight, Input::Widen,  Input::Narrow};
-
 tl::unexpected<Fault> argument_fault(protocol::Text at, std::string_view allowed) noexcept
 {
     return tl::unexpected(
         Fault{.code = ErrorCode::Argument, .column = at.column, .allowed = allowed});
 }
 
-tl::expected<Steps, Fault> read_steps(protocol::Text words, std::span<const std::string_view> names,
-                                      std::span<const Input> inputs,
+using InputOf = std::optional<Input> (*)(std::string_view direction) noexcept;
+
+tl::expected<Steps, Fault> read_steps(protocol::Text words, InputOf input_of,
                                       std::string_view allowed) noexcept
 {
     const auto read = protocol::read_word_and_count(words, 1, most_steps, "STEPS is 1 to 1000");
     if (!read)
         return tl::unexpected(read.error());
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (protocol::equal_ignoring_case(names[i], read->word.bytes))
-            return Steps{.inputs = inputs[i], .count = read->count};
+    if (const auto input = input_of(read->word.bytes))
+        return Steps{.inputs = *input, .count = read->count};
     return argument_fault(words, allowed);
 }
 
@@ -53,12 +45,12 @@ tl::expected<Steps, Fault> read_steps(protocol::Text words, std::span<const std:
 
 tl::expected<Steps, Fault> read_walk(protocol::Text words) noexcept
 {
-    return read_steps(words, protocol::walk_directions, walks, "HELP WALK names the directions");
+    return read_steps(words, motion::walk_input, "HELP WALK names the directions");
 }
 
 tl::expected<Steps, Fault> read_turn(protocol::Text words) noexcept
 {
-    return read_steps(words, protocol::turn_directions, turns, "HELP TURN names the directions");
+    return read_steps(words, motion::turn_input, "HELP TURN names the directions");
 }
 
 tl::expected<unsigned, Fault> read_animate(protocol::Text words) noexcept

@@ -213,7 +213,7 @@ TEST_F(Export, OnlyWhatTheFormatHoldsIsExported)
         return result.errors.substr(std::min(front.size(), result.errors.size()));
     };
     const std::string allowed = "; what can be exported is 400x300 in 16 levels of grey, as the "
-                                "accelerator fractal draws\n";
+                                "accelerator fractal draws with COLOUR=off\n";
     const std::string whole = as_ppm(some_picture());
     const std::size_t pixels = whole.size() - std::size_t{3} * 400 * 300;
     const std::size_t pixel = pixels + 3 * (400 * 7 + 21);
@@ -228,6 +228,50 @@ TEST_F(Export, OnlyWhatTheFormatHoldsIsExported)
     EXPECT_EQ(why("nothing"), "is no binary PGM or PPM picture (P5, P6)\n");
 }
 
+TEST_F(Export, AViewIsExportedAsItIsRendered)
+{
+    using Arguments = std::vector<std::string>;
+    for (const Arguments& view : {
+             Arguments{"--preset", "start"},
+             Arguments{"--set", "SCENE=maze,DITHER=on,CHECKER=on", "--accelerator", "fractal"},
+             Arguments{"--accelerator", "sphere", "--size", "400x300", "--set", "TINT=grey"},
+         }) {
+        Arguments arguments = {"export", "--pcap", capture, "--threads", "2"};
+        arguments.insert(arguments.end(), view.begin(), view.end());
+        const Finished exported = run_tool(folder, arguments);
+        ASSERT_EQ(exported.status, EX_OK) << exported.errors;
+        ASSERT_EQ(receive().status, EX_OK);
+        Arguments render = {"render", "-o", "-"};
+        if (view[0] == "--preset") // the default of export alone
+            render.insert(render.end(), {"--accelerator", "fractal"});
+        render.insert(render.end(), view.begin(), view.end());
+        const Finished rendered = run_tool(folder, render);
+        ASSERT_EQ(rendered.status, EX_OK) << rendered.errors;
+        EXPECT_TRUE(content(picture) == rendered.output) << view[1];
+    }
+}
+
+TEST_F(Export, AViewThatTheFormatDoesNotHold)
+{
+    const auto why = [this](std::vector<std::string> view, int status) {
+        view.insert(view.begin(), {"export", "--pcap", capture});
+        const Finished result = run_tool(folder, view);
+        EXPECT_EQ(result.status, status);
+        EXPECT_FALSE(std::filesystem::exists(capture));
+        return result.errors;
+    };
+    const std::string allowed = "; what can be exported is 400x300 in 16 levels of grey, as the "
+                                "accelerator fractal draws with COLOUR=off\n";
+    EXPECT_EQ(why({"--accelerator", "marcher", "--preset", "cube"}, EX_DATAERR),
+              "raymarchctl: the picture is 640x480" + allowed);
+    const std::string coloured = why({"--preset", "maze"}, EX_DATAERR);
+    EXPECT_NE(coloured.find(", not grey" + allowed), std::string::npos) << coloured;
+    EXPECT_NE(
+        why({"--preset", "lattice"}, EX_USAGE).find("'lattice' is no preset; there are start"),
+        std::string::npos);
+    EXPECT_NE(why({"--set", "HUE=256"}, EX_DATAERR).find("key=HUE"), std::string::npos);
+}
+
 TEST_F(Export, WrongCommandLines)
 {
     write(folder / "in.pgm", as_pgm(some_picture()));
@@ -237,6 +281,12 @@ TEST_F(Export, WrongCommandLines)
     };
     EXPECT_EQ(status({"export", "--input", input}), EX_USAGE);
     EXPECT_EQ(status({"export", "--pcap", capture}), EX_USAGE);
+    EXPECT_EQ(status({"export", "--pcap", capture, "--accelerator", "fractal"}), EX_USAGE);
+    EXPECT_EQ(status({"export", "--pcap", capture, "--input", input, "--preset", "start"}),
+              EX_USAGE);
+    EXPECT_EQ(status({"export", "--pcap", capture, "--input", input, "--size", "400x300"}),
+              EX_USAGE);
+    EXPECT_EQ(status({"export", "--pcap", capture, "--input", input, "--threads", "1"}), EX_USAGE);
     EXPECT_EQ(status({"export", "--pcap", capture, "--interface", "lo", "--input", input}),
               EX_USAGE);
     EXPECT_EQ(status({"export", "--pcap", capture, "--fast", "--input", input}), EX_USAGE);

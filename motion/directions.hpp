@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// What the directions of WALK and TURN (protocol/commands.hpp) ask of a movement.
+#pragma once
+
+#include "motion/inputs.hpp"
+#include "protocol/commands.hpp"
+#include "protocol/text.hpp"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace raymarch::motion
+{
+
+namespace detail
+{
+
+// In the order of the names.
+inline constexpr std::array<Input, protocol::walk_directions.size()> walks = {
+    Input::Forward, Input::Back, Input::StrafeLeft, Input::StrafeRight, Input::Up, Input::Down};
+inline constexpr std::array<Input, protocol::turn_directions.size()> turns = {
+    Input::TurnLeft, Input::TurnRight, Input::TurnUp, Input::TurnDown,
+    Input::RollLeft, Input::RollRight, Input::Widen,  Input::Narrow};
+
+[[nodiscard]] constexpr std::optional<Input> input_named(std::string_view name,
+                                                         std::span<const std::string_view> names,
+                                                         std::span<const Input> inputs) noexcept
+{
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (protocol::equal_ignoring_case(names[i], name))
+            return inputs[i];
+    return std::nullopt;
+}
+
+} // namespace detail
+
+/// Of a direction of WALK, any case.
+[[nodiscard]] constexpr std::optional<Input> walk_input(std::string_view direction) noexcept
+{
+    return detail::input_named(direction, protocol::walk_directions, detail::walks);
+}
+
+/// Of a direction of TURN, any case.
+[[nodiscard]] constexpr std::optional<Input> turn_input(std::string_view direction) noexcept
+{
+    return detail::input_named(direction, protocol::turn_directions, detail::turns);
+}
+
+} // namespace raymarch::motion
