@@ -3,7 +3,6 @@
 /// `raymarchctl encode`: a parameter frame to its register words, without any service.
 #include "console/subcommands.hpp"
 #include "console/words.hpp"
-#include "protocol/accelerators.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/line_reader.hpp"
 #include "protocol/registers.hpp"
@@ -167,7 +166,7 @@ int encode_one(const Accelerator& accelerator, const std::string& text)
 
 struct Options
 {
-    std::string accelerator{default_accelerator.name};
+    std::string accelerator;
     std::optional<std::string> line;
 };
 
@@ -181,8 +180,7 @@ void add_encode(CLI::App& app, Run& run)
     command->add_option("LINE", options->line,
                         "the frame; without it lines are read from standard input, and each that "
                         "is not blank gets one reply");
-    command->add_option("--accelerator", options->accelerator, "whose frame (default: marcher)")
-        ->type_name("NAME");
+    add_accelerator_option(*command, options->accelerator, "whose frame");
     command->callback([options, &run] {
         run = [options] {
             const auto accelerator = accelerator_named(options->accelerator);

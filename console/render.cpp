@@ -7,7 +7,6 @@
 #include "engine/draw.hpp"
 #include "engine/models.hpp"
 #include "pictures/picture_file.hpp"
-#include "protocol/accelerators.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/picture_size.hpp"
 #include "protocol/registers.hpp"
@@ -29,7 +28,7 @@ namespace
 
 struct Options
 {
-    std::string accelerator{protocol::default_accelerator.name};
+    std::string accelerator;
     std::optional<std::string> line;
     std::optional<std::string> settings;
     std::optional<std::string> preset;
@@ -145,8 +144,7 @@ void add_render(CLI::App& app, Run& run)
         ->type_name("KEY=VALUE,...");
     what->add_option("--preset", options->preset, "a view worth looking at")->type_name("NAME");
     what->require_option(0, 1);
-    command->add_option("--accelerator", options->accelerator, "which one (default: marcher)")
-        ->type_name("NAME");
+    add_accelerator_option(*command, options->accelerator, "which one");
     command->add_option("--size", options->size, "of the picture (default: the accelerator's)")
         ->type_name("WxH");
     command->add_option("--threads", options->threads, "0 is one for each processor")
