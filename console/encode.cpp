@@ -29,7 +29,9 @@ using namespace protocol; // NOLINT(google-build-using-namespace): lines to word
 class Encoder
 {
   public:
-    explicit Encoder(const Accelerator& accelerator) : accelerator_(accelerator) {}
+    explicit Encoder(const Accelerator& accelerator)
+        : accelerator_(accelerator), initial_(initial_state(accelerator)), state_(initial_)
+    {}
 
     /// The reply to one line; empty for a blank one.
     std::string_view reply_to(const Line& line)
@@ -59,6 +61,7 @@ class Encoder
             return Fault{.code = ErrorCode::UnknownCommand,
                          .column = request.command_column,
                          .allowed = "encode takes parameter frames; commands are for the service"};
+        state_ = initial_; // rows of tables that the frame does not name are the defaults
         if (auto fault = read_frame(accelerator_, request.text, state_))
             return fault;
         reply_ << "OK";
@@ -68,6 +71,7 @@ class Encoder
     }
 
     const Accelerator& accelerator_;
+    State initial_;
     State state_;
     ReplyWriter reply_;
     bool refused_ = false;

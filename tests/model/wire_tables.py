@@ -206,7 +206,9 @@ def value_text(rng: random.Random, value: Number | Choice) -> str:
         digits = [str(code) for code in range(len(value.names))]
         good = [*value.names, *(name.lower() for name in value.names), *digits]
         return rng.choice(good * 4 + [str(len(digits)), "00", "+1", "1.0", value.names[0] + "S", ""])
-    kind = rng.choices([good_number, tie, bound, padded_number, odd_number], [40, 20, 8, 2, 2])[0]
+    ties = 20 if value.fraction < 28 else 0  # of finer formats no tie has 32 characters
+    kinds = [good_number, tie, bound, padded_number, odd_number]
+    kind = rng.choices(kinds, [40, ties, 8, 2, 2])[0]
     text = kind(rng, value)
     if re.fullmatch(r"-?\d+\.\d+", text) and rng.random() < 0.2:
         return with_exponent(rng, text)

@@ -178,7 +178,11 @@ std::string beyond(std::string_view end, bool upper)
         return (upper ? "0" : "-0") + digits;
     if (away_from_zero)
         return std::string(end) + digits;
-    EXPECT_FALSE(has_point) << end;
+    if (has_point) { // its last digit is none of zero
+        std::string text(end);
+        --text.back();
+        return text + "9999";
+    }
     return std::to_string(std::stoll(std::string(end)) + (upper ? 1 : -1)) + ".99999999";
 }
 
