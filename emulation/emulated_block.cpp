@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 
@@ -140,6 +141,7 @@ void EmulatedBlock::reset()
 {
     words_ = {};
     latch_ = false;
+    owed_ = 0;
     status_ &= status::busy; // a frame that is being drawn goes on to its end
     frames_ = 0;
     cycles_ = 0;
@@ -182,18 +184,24 @@ Result<std::uint32_t> EmulatedBlock::take_interrupt()
 bool EmulatedBlock::frame_can_start() const
 {
     const bool enabled = options_.form == BlockForm::Bare || (control_ & control::enable) != 0;
-    return latch_ && enabled;
+    return (latch_ || owed_ > 0) && enabled;
 }
 
 void EmulatedBlock::work(const std::stop_token& stop)
 {
-    engine::Image image(options_.size);
+    std::array buffers = {engine::Image(options_.size), engine::Image(options_.size)};
+    protocol::Words latched;
     std::unique_lock lock(mutex_);
     while (wake_.wait(lock, stop, [this] { return frame_can_start(); })) {
-        const protocol::Words latched = words_;
-        latch_ = false;
+        if (latch_) {
+            latched = words_;
+            owed_ = engine::frames_of_a_still(model_, latched);
+            latch_ = false;
+        }
+        --owed_;
         status_ |= status::busy;
         const std::uint32_t number = frames_;
+        engine::Image& image = buffers[number % buffers.size()];
 
         lock.unlock();
         const auto costs = engine::draw(model_, latched, image, options_.threads, number, stop);

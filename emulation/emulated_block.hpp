@@ -35,8 +35,9 @@ struct EmulatedOptions
 /// Called from the worker after each frame.
 using FrameSink = std::function<void(const engine::Image&)>;
 
-/// Behaves as the hardware does, with one saving: a frame is drawn when words have been latched,
-/// not over and over. FRAMES, STATUS and the interrupt count the frames that were drawn.
+/// Behaves as the hardware does, with one saving: when words have been latched, as many frames are
+/// drawn as the picture takes to be complete, and no more. They go into two buffers in turn.
+/// FRAMES, STATUS and the interrupt count the frames that were drawn.
 /// Registers may be used from one thread; the worker is the block's own.
 class EmulatedBlock final : public drivers::RegisterBus
 {
@@ -72,6 +73,7 @@ class EmulatedBlock final : public drivers::RegisterBus
     std::condition_variable_any wake_;
     protocol::Words words_{}; ///< as written; in shadow mode not yet seen by the ray units
     bool latch_ = false;      ///< words wait for a frame start
+    unsigned owed_ = 0;       ///< frames until the picture of the latched words is complete
     bool armed_ = true;
     std::uint32_t interrupts_ = 0;
     std::uint32_t control_ = 0;

@@ -37,7 +37,7 @@ std::vector<PixelCost> draw(const Model& model, WordSpan words, Image& image, un
 
 void draw_still(const Model& model, WordSpan words, Image& image, unsigned threads)
 {
-    const unsigned frames = model.frames_of_a_still == nullptr ? 1 : model.frames_of_a_still(words);
+    const unsigned frames = frames_of_a_still(model, words);
     Image other(frames > 1 ? image.size : PictureSize{});
     for (unsigned frame = 0; frame < frames; ++frame) {
         if (frame > 0)

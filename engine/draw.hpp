@@ -19,6 +19,12 @@ namespace raymarch::engine
 std::vector<PixelCost> draw(const Model& model, WordSpan words, Image& image, unsigned threads,
                             std::uint32_t frame = 0, const std::stop_token& stop = {});
 
+/// How many frames of these words it takes until the picture is complete.
+[[nodiscard]] inline unsigned frames_of_a_still(const Model& model, WordSpan words) noexcept
+{
+    return model.frames_of_a_still == nullptr ? 1 : model.frames_of_a_still(words);
+}
+
 /// Draws as many frames as a still of these words takes, from number 0 on, into two buffers that
 /// take turns as the hardware's do, and leaves the last in `image`, which begins black.
 void draw_still(const Model& model, WordSpan words, Image& image, unsigned threads);

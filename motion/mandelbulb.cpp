@@ -44,7 +44,9 @@ int zoom_of(Int128 distance) noexcept
 bool within_reach(const Position& position) noexcept
 {
     const auto square = [](Int128 component) {
-        const double value = std::ldexp(static_cast<double>(component), -position_bits);
+        constexpr int dropped = 32; // what is left fits a double
+        const auto upper = static_cast<std::int64_t>(component >> dropped);
+        const double value = std::ldexp(static_cast<double>(upper), dropped - position_bits);
         return value * value;
     };
     return square(position.x) + square(position.y) + square(position.z) <= 16;

@@ -4,12 +4,16 @@
 
     mandelbulb_model.py check FOLDER    every vector of FOLDER (tests/data/mandelbulb), both forms
     mandelbulb_model.py wide > tests/data/mandelbulb/wide.tsv     the vectors of the wide form
+    mandelbulb_model.py golden ROWS > tests/golden/mandelbulb.tsv
+        ROWS are lines of that file whose CRC-32 may be anything: it is computed again
+    mandelbulb_model.py draw SIZE WORD x27 > FILE.ppm
 
 It shares no code and no tables with the engine: angles, logarithms and gains are computed here from
 series, in 320-bit fixed point."""
 
 import random
 import sys
+import zlib
 from math import isqrt
 from pathlib import Path
 
@@ -178,6 +182,64 @@ class Model:
         return "limit", most, index, t
 
 
+STEPS = bytes.fromhex(
+    "05070c181048171e5a162e6e163f83154d95145da9146ebe1a7cba218bb7289bb42ea9b035b8ad3cc8aa59cb9d7ace8f"
+    "9bd282b8d575d9d867fadc5af6c750f3b146f09b3cec8632e97028e65a1ee9723eee8c61f2a784f6bfa4fadac7fff5eb")
+INDEX = bytes.fromhex(
+    "05070c18104817235f163779154c931460ad1775bc1f88b8289cb331b0af3ac3aa5ccb9c86cf8aacd37ad6d869f9d758"
+    "f5bb4bf09f3dec8230e76623e96d37ee8f64f4b191f9d3befff5eb")
+
+
+def draw(words: list[int], width: int, height: int) -> bytes:
+    """A picture from 27 words, laid out as docs/registers.md says."""
+
+    def bits(word: int, msb: int, lsb: int) -> int:
+        return words[word] >> lsb & ((1 << (msb - lsb + 1)) - 1)
+
+    def sign(value: int, width: int) -> int:
+        return value - (1 << width) if value >> (width - 1) else value
+
+    def clamp(value: int, low: int, high: int) -> int:
+        return min(max(value, low), high)
+
+    n, kept = clamp(bits(0, 14, 8), 8, 64), clamp(bits(0, 22, 16), 0, 64)
+    kept = max(kept, 8) if kept else min(64, max(17, n + 4))
+    m = Model(64 if bits(0, 0, 0) else 57, n, kept, clamp(bits(0, 28, 24), 2, 16), not bits(0, 1, 1),
+              clamp(bits(1, 29, 24), 0, 60), clamp(bits(1, 6, 0), 1, 64))
+    b, most = clamp(bits(1, 12, 8), 4, 16), clamp(bits(1, 23, 16), 1, 200)
+    s = []
+    for axis in range(3):
+        code = sign(bits(2, 8 * axis + 7, 8 * axis) << 64 | words[3 + 2 * axis] << 32 | words[4 + 2 * axis], 72)
+        s.append(clamp(code, -4 << 64, 4 << 64) >> (64 - m.f))
+    basis = [sign(bits(9 + 2 * i, 26, 0) << 32 | words[10 + 2 * i], 59) for i in range(9)]
+    forward, right, up = basis[:3], basis[3:6], basis[6:]
+    picture = bytearray()
+    for j in range(height):
+        for i in range(width):
+            u, v, f = 2 * i + 1 - width, height - 1 - 2 * j, 2 * height
+            if bits(0, 3, 3):
+                u = u * height // width if u >= 0 else -(-u * height // width)
+            q = [(u * right[a] + v * up[a] + f * forward[a]) >> 12 for a in range(3)]
+            length = isqrt(sum(a * a for a in q))
+            rd = [((abs(a) << 57) // length) * (1 if a >= 0 else -1) if length else 0 for a in q]
+            outcome, steps, index, _ = m.march(tuple(s), tuple(rd), b, most)
+            table, entry = (INDEX, 1 + (index - 1) % 24 if index else 1) if bits(0, 2, 2) else (
+                STEPS, min(31, max(1, steps >> 1)))
+            entry = 0 if outcome == "miss" else entry
+            picture += table[3 * entry:3 * entry + 3]
+    return bytes(picture)
+
+
+def golden(path: Path) -> None:
+    for line in path.read_text().splitlines():
+        if line.startswith("#"):
+            print(line)
+            continue
+        size, words, _, why = line.split("\t")
+        picture = draw([int(word, 16) for word in words.split()], *map(int, size.split("x")))
+        print(size, words, format(zlib.crc32(picture), "08X"), why, sep="\t", flush=True)
+
+
 def signed(text: str) -> int:
     value = int(text, 16)
     return value - (1 << 4 * len(text)) if value >> (4 * len(text) - 1) else value
@@ -280,5 +342,10 @@ def check(folder: Path) -> int:
 if __name__ == "__main__":
     if sys.argv[1:] == ["wide"]:
         wide()
+    elif sys.argv[1] == "golden":
+        golden(Path(sys.argv[2]))
+    elif sys.argv[1] == "draw":
+        size = tuple(map(int, sys.argv[2].split("x")))
+        sys.stdout.buffer.write(b"P6 %d %d 255\n" % size + draw([int(w, 16) for w in sys.argv[3:]], *size))
     else:
         sys.exit(check(Path(sys.argv[2])))

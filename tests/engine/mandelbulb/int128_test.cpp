@@ -16,7 +16,7 @@ TEST(Int128, LimitsByHand)
     const PortableInt128 minus_one = -1;
     EXPECT_TRUE(minus_one < one && minus_one < 0 && one > 0);
     EXPECT_TRUE(minus_one + one == 0);
-    EXPECT_TRUE(minus_one >> 127 == minus_one); // floors
+    EXPECT_TRUE((minus_one >> 127) == minus_one); // floors
     EXPECT_TRUE((one << 64) - 1 == PortableInt128(~std::uint64_t{0}));
     EXPECT_TRUE(minus_one * minus_one == one);
     EXPECT_EQ(static_cast<std::uint64_t>((one << 100) >> 40), std::uint64_t{1} << 60);

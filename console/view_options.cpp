@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "console/view_options.hpp"
+
+#include "console/words.hpp"
+#include "protocol/assignments.hpp"
+#include "protocol/picture_size.hpp"
+#include "protocol/reply.hpp"
+#include "protocol/request.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace raymarch::console
+{
+namespace
+{
+
+Error refused(const protocol::Accelerator& accelerator, const protocol::Fault& fault)
+{
+    protocol::ReplyWriter reply;
+    protocol::write_fault(reply, accelerator, fault);
+    std::string_view text = reply.text();
+    text.remove_suffix(2);
+    return plain_error(ErrorKind::BadData, std::string(text));
+}
+
+Result<protocol::State> state_of_line(const protocol::Accelerator& accelerator,
+                                      const std::string& text)
+{
+    const bool too_long = text.size() > protocol::max_line_length;
+    const protocol::Request request = protocol::read_request(
+        {.bytes = too_long ? std::string_view() : text, .too_long = too_long}, false);
+    if (request.kind == protocol::Request::Kind::Faulty)
+        return fail(refused(accelerator, request.fault));
+    if (request.kind != protocol::Request::Kind::Frame)
+        return fail(plain_error(ErrorKind::BadData, "--line takes a parameter frame"));
+    protocol::State state = protocol::initial_state(accelerator); // rows may be left out
+    if (const auto fault = protocol::read_frame(accelerator, request.text, state))
+        return fail(refused(accelerator, *fault));
+    return state;
+}
+
+/// The defaults, changed by `settings` in the syntax of SET.
+Result<protocol::State> changed_defaults(const protocol::Accelerator& accelerator,
+                                         std::optional<std::string_view> settings)
+{
+    protocol::State state = protocol::initial_state(accelerator);
+    protocol::ParameterSet given;
+    if (!settings)
+        return state;
+    if (const auto fault =
+            protocol::read_assignments(accelerator, {.bytes = *settings}, state, given))
+        return fail(refused(accelerator, *fault));
+    return state;
+}
+
+Result<protocol::State> state_of_preset(const protocol::Accelerator& accelerator,
+                                        const std::string& name)
+{
+    std::string names;
+    for (const protocol::Preset& preset : accelerator.presets) {
+        if (protocol::equal_ignoring_case(preset.name, name))
+            return changed_defaults(accelerator, preset.settings);
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", preset.name);
+    }
+    return fail(
+        plain_error(ErrorKind::Usage, fmt::format("'{}' is no preset; there are {}", name, names)));
+}
+
+/// The defaults in that scene; the parameter is SCENE, or OBJ.
+Result<protocol::State> state_of_scene(const protocol::Accelerator& accelerator,
+                                       const std::string& name)
+{
+    for (const std::string_view key : {"SCENE", "OBJ"}) {
+        const auto index = protocol::find_parameter(accelerator.parameters, key);
+        if (!index)
+            continue;
+        const protocol::Parameter& parameter = accelerator.parameters[*index];
+        protocol::State state = protocol::initial_state(accelerator);
+        if (const auto code = protocol::find_choice(parameter, name)) {
+            state.codes[*index] = *code;
+            return state;
+        }
+        return fail(
+            plain_error(ErrorKind::Usage, fmt::format("'{}' is no scene; there are {}", name,
+                                                      fmt::join(parameter.choices, ", "))));
+    }
+    return fail(plain_error(ErrorKind::Usage, fmt::format("{} has no scenes", accelerator.name)));
+}
+
+} // namespace
+
+void add_view_options(CLI::App& command, ViewOptions& options)
+{
+    CLI::Option_group* const what =
+        command.add_option_group("what to draw", "(default: the accelerator's defaults)");
+    what->add_option("--line", options.line, "a parameter frame")->type_name("LINE");
+    what->add_option("--registers", options.words, "all parameter words, in hex, word 0 first")
+        ->type_name("WORD")
+        ->expected(1, static_cast<int>(protocol::max_parameter_words));
+    what->add_option("--set", options.settings, "changes to the defaults")
+        ->type_name("KEY=VALUE,...");
+    what->add_option("--preset", options.preset, "a view worth looking at")->type_name("NAME");
+    what->add_option("--scene", options.scene, "the defaults in this scene")->type_name("NAME");
+    what->require_option(0, 1);
+    add_accelerator_option(command, options.accelerator, "which one");
+    command.add_option("--size", options.size, "of the picture (default: the accelerator's)")
+        ->type_name("WxH");
+}
+
+Result<protocol::State> state_of(const protocol::Accelerator& accelerator,
+                                 const ViewOptions& options)
+{
+    if (!options.words.empty()) {
+        const auto words = parse_words(accelerator, options.words);
+        if (!words)
+            return fail(words.error());
+        return protocol::unpack(accelerator, *words);
+    }
+    return options.line     ? state_of_line(accelerator, *options.line)
+           : options.preset ? state_of_preset(accelerator, *options.preset)
+           : options.scene  ? state_of_scene(accelerator, *options.scene)
+                            : changed_defaults(accelerator, options.settings);
+}
+
+Result<protocol::Words> words_of(const protocol::Accelerator& accelerator,
+                                 const ViewOptions& options)
+{
+    // Not through a state: the words as they were given, bits that no parameter owns among them.
+    if (!options.words.empty())
+        return parse_words(accelerator, options.words);
+    const auto state = state_of(accelerator, options);
+    if (!state)
+        return fail(state.error());
+    return protocol::pack(accelerator, *state);
+}
+
+Result<protocol::PictureSize> size_of(const protocol::Accelerator& accelerator,
+                                      const ViewOptions& options)
+{
+    if (!options.size)
+        return accelerator.size;
+    if (const auto size = protocol::parse_size(*options.size, accelerator.max_size))
+        return *size;
+    return fail(plain_error(ErrorKind::Usage,
+                            fmt::format("'{}' is not a size from 1x1 to {}x{}", *options.size,
+                                        accelerator.max_size.width, accelerator.max_size.height)));
+}
+
+} // namespace raymarch::console
