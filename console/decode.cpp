@@ -3,7 +3,6 @@
 /// `raymarchctl decode`: register words back to the frame that they hold.
 #include "console/subcommands.hpp"
 #include "console/words.hpp"
-#include "protocol/accelerators.hpp"
 #include "protocol/registers.hpp"
 #include "protocol/reply.hpp"
 
@@ -21,7 +20,7 @@ namespace
 
 struct Options
 {
-    std::string accelerator{protocol::default_accelerator.name};
+    std::string accelerator;
     std::vector<std::string> words;
 };
 
@@ -60,8 +59,7 @@ void add_decode(CLI::App& app, Run& run)
     const auto options = std::make_shared<Options>();
     command->add_option("WORD", options->words, "all parameter words, in hex, word 0 first")
         ->required();
-    command->add_option("--accelerator", options->accelerator, "whose words (default: marcher)")
-        ->type_name("NAME");
+    add_accelerator_option(*command, options->accelerator, "whose words");
     command->callback([options, &run] { run = [options] { return decode(*options); }; });
 }
 

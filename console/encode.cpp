@@ -3,7 +3,6 @@
 /// `raymarchctl encode`: a parameter frame to its register words, without any service.
 #include "console/subcommands.hpp"
 #include "console/words.hpp"
-#include "protocol/accelerators.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/line_reader.hpp"
 #include "protocol/registers.hpp"
@@ -30,7 +29,9 @@ using namespace protocol; // NOLINT(google-build-using-namespace): lines to word
 class Encoder
 {
   public:
-    explicit Encoder(const Accelerator& accelerator) : accelerator_(accelerator) {}
+    explicit Encoder(const Accelerator& accelerator)
+        : accelerator_(accelerator), initial_(initial_state(accelerator)), state_(initial_)
+    {}
 
     /// The reply to one line; empty for a blank one.
     std::string_view reply_to(const Line& line)
@@ -60,6 +61,7 @@ class Encoder
             return Fault{.code = ErrorCode::UnknownCommand,
                          .column = request.command_column,
                          .allowed = "encode takes parameter frames; commands are for the service"};
+        state_ = initial_; // rows of tables that the frame does not name are the defaults
         if (auto fault = read_frame(accelerator_, request.text, state_))
             return fault;
         reply_ << "OK";
@@ -69,6 +71,7 @@ class Encoder
     }
 
     const Accelerator& accelerator_;
+    State initial_;
     State state_;
     ReplyWriter reply_;
     bool refused_ = false;
@@ -167,7 +170,7 @@ int encode_one(const Accelerator& accelerator, const std::string& text)
 
 struct Options
 {
-    std::string accelerator{default_accelerator.name};
+    std::string accelerator;
     std::optional<std::string> line;
 };
 
@@ -181,8 +184,7 @@ void add_encode(CLI::App& app, Run& run)
     command->add_option("LINE", options->line,
                         "the frame; without it lines are read from standard input, and each that "
                         "is not blank gets one reply");
-    command->add_option("--accelerator", options->accelerator, "whose frame (default: marcher)")
-        ->type_name("NAME");
+    add_accelerator_option(*command, options->accelerator, "whose frame");
     command->callback([options, &run] {
         run = [options] {
             const auto accelerator = accelerator_named(options->accelerator);

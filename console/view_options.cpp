@@ -2,7 +2,6 @@
 #include "console/view_options.hpp"
 
 #include "console/words.hpp"
-#include "protocol/accelerators.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/picture_size.hpp"
 #include "protocol/reply.hpp"
@@ -99,7 +98,6 @@ Result<void> change(const protocol::Accelerator& accelerator, std::string_view s
     return {};
 }
 
-void add_view_options(CLI::App& command, ViewOptions& options)
 CLI::Option_group& add_view_options(CLI::App& command, ViewOptions& options)
 {
     CLI::Option_group* const what =

@@ -33,6 +33,15 @@ Result<protocol::Words> parse_words(const protocol::Accelerator& accelerator,
     return words;
 }
 
+void add_accelerator_option(CLI::App& command, std::string& name, const std::string& meaning)
+{
+    name = protocol::default_accelerator.name;
+    command
+        .add_option("--accelerator", name,
+                    fmt::format("{} (default: {})", meaning, protocol::default_accelerator.name))
+        ->type_name("NAME");
+}
+
 Result<const protocol::Accelerator*> accelerator_named(const std::string& name)
 {
     if (const protocol::Accelerator* const found = protocol::find_accelerator(name))

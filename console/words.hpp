@@ -7,6 +7,8 @@
 #include "protocol/parameters.hpp"
 #include "protocol/registers.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <string>
 #include <vector>
 
@@ -16,6 +18,9 @@ namespace raymarch::console
 /// `01804028` or `0x1804028`, as many as the accelerator has. Errors: Usage.
 [[nodiscard]] Result<protocol::Words> parse_words(const protocol::Accelerator& accelerator,
                                                   const std::vector<std::string>& texts);
+
+/// Adds `--accelerator NAME`, which goes to `name`; `name` becomes the default one's.
+void add_accelerator_option(CLI::App& command, std::string& name, const std::string& meaning);
 
 /// By name. Errors: Usage, naming what there is.
 [[nodiscard]] Result<const protocol::Accelerator*> accelerator_named(const std::string& name);

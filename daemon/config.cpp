@@ -204,10 +204,12 @@ Result<void> set_emulated_threads(Config& config, std::string_view text)
     return {};
 }
 
+constexpr std::string_view default_name = protocol::default_accelerator.name;
+
 // Laid out by hand: one row a setting.
 // clang-format off
 constexpr std::array table = {
-    Setting{"accelerator",      "NAME",                       "marcher",                  "the accelerator of a block that does not tell its kind, and of the emulated one", set_accelerator},
+    Setting{"accelerator",      "NAME",                       default_name,               "the accelerator of a block that does not tell its kind, and of the emulated one", set_accelerator},
     Setting{"registers",        registers_values,             "auto",                     "the register block; auto is the UIO device named raymarch where there is one, else emulated", set_registers},
     Setting{"serial",           serial_values,                "/dev/ttyPS0@115200",       "the serial host; pty makes a pseudo-terminal and a link to it", set_serial},
     Setting{"gpio",             "none",                       "none",                     "buttons, switches and LEDs", set_gpio},

@@ -6,6 +6,8 @@
 #include "protocol/dequantizer.hpp"
 #include "protocol/errors.hpp"
 
+#include <algorithm>
+
 namespace raymarch::protocol
 {
 namespace
@@ -24,11 +26,11 @@ void write_command(ReplyWriter& reply, const CommandRow& row) noexcept
 void write_groups(ReplyWriter& reply, const Accelerator& accelerator) noexcept
 {
     reply << "# GROUP is";
-    std::string_view last;
-    for (const Parameter& parameter : accelerator.parameters) {
-        if (parameter.group != last)
-            reply << ' ' << parameter.group;
-        last = parameter.group;
+    const auto parameters = accelerator.parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const auto before = parameters.first(i);
+        if (std::ranges::find(before, parameters[i].group, &Parameter::group) == before.end())
+            reply << ' ' << parameters[i].group;
     }
     reply.end_line();
 }

@@ -50,10 +50,11 @@ std::vector<Field> fields_of_word(const Accelerator& accelerator, std::size_t wo
 
 std::string format_name(const Format& format)
 {
+    const std::string_view sign = format.is_signed ? "signed" : "unsigned";
     if (format.fraction_bits == 0)
-        return fmt::format("unsigned, {}", format.width());
-    return fmt::format("Q{}.{} {}, {}", format.integer_bits, format.fraction_bits,
-                       format.is_signed ? "signed" : "unsigned", format.width());
+        return fmt::format("{}, {}", sign, format.width());
+    return fmt::format("Q{}.{} {}, {}", format.integer_bits, format.fraction_bits, sign,
+                       format.width());
 }
 
 std::string range_of(const Parameter& parameter)
@@ -182,7 +183,7 @@ std::string parameters_section()
             if (parameter.is_tail() || (parameter.is_row() && !is_of_first_row(parameter)))
                 continue;
             text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n",
-                                key_range(*accelerator, parameter), parameter.meaning,
+                                key_range(*accelerator, parameter), cell(parameter.meaning),
                                 parameter.unit, range_of(parameter), place_of(parameter),
                                 parameter.group, parameter.initial);
         }

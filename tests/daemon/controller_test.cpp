@@ -2,13 +2,19 @@
 #include "daemon/controller.hpp"
 
 #include "protocol/accelerators.hpp"
+#include "protocol/arguments.hpp"
+#include "protocol/assignments.hpp"
 #include "protocol/checksum.hpp"
+#include "protocol/commands.hpp"
+#include "tests/fakes/descriptions.hpp"
 #include "tests/fakes/service.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace raymarch::daemon
 {
@@ -181,9 +187,9 @@ TEST(Controller, StatusCountsRefusalsByCode)
 {
     Service service;
     static_cast<void>(service.say("NOPE\nNOPE\nFX=2\nSET ZM=4\n"));
-    EXPECT_EQ(service.say("STATUS\n"),
-              "OK accelerator=marcher serial=up animate=0 locked=off applied=1 rejected=3 rejected.RANGE=1 "
-              "rejected.UNKNOWN_COMMAND=2\r\n");
+    EXPECT_EQ(service.say("STATUS\n"), "OK accelerator=marcher serial=up animate=0 locked=off "
+                                       "applied=1 rejected=3 rejected.RANGE=1 "
+                                       "rejected.UNKNOWN_COMMAND=2\r\n");
 }
 
 TEST(Controller, PresetsAreListedAndApplied)
@@ -228,6 +234,215 @@ TEST(Controller, VersionAndAcceleratorSayWhatTheyAre)
     Service service;
     EXPECT_EQ(service.say("VERSION\n"), "OK version=" RAYMARCH_VERSION " protocol=1\r\n");
     EXPECT_EQ(service.say("ACCELERATOR\n"), "OK accelerator=marcher\r\n");
+}
+
+class EveryController : public test::EveryAccelerator
+{
+  protected:
+    Service service{{}, accelerator};
+};
+INSTANTIATE_TEST_SUITE_P(Accelerators, EveryController, testing::ValuesIn(protocol::accelerators),
+                         test::accelerator_name);
+
+TEST_P(EveryController, StartsWithTheDefaults)
+{
+    const protocol::State initial = protocol::initial_state(accelerator);
+    EXPECT_EQ(service.controller.state(), initial);
+    EXPECT_EQ(service.say("ACCELERATOR\n"),
+              "OK accelerator=" + std::string(accelerator.name) + "\r\n");
+    EXPECT_TRUE(service.say("STATUS\n")
+                    .starts_with("OK accelerator=" + std::string(accelerator.name) + " "));
+    EXPECT_EQ(service.say(test::default_frame(accelerator) + "\n"), "OK seq=1 changed=0\r\n");
+    EXPECT_EQ(service.controller.state(), initial);
+    EXPECT_EQ(service.board.words, protocol::pack(accelerator, initial));
+}
+
+TEST_P(EveryController, WhatGetSaysIsTakenBySet)
+{
+    auto random = test::seeded_random();
+    const protocol::State state = test::random_state(accelerator, random);
+    ASSERT_TRUE(service.controller.restore(state));
+    const std::string all = service.say("GET\n");
+    ASSERT_TRUE(all.starts_with("OK ") && all.ends_with("\r\n"));
+    std::string_view rest = std::string_view(all).substr(3, all.size() - 5);
+    ASSERT_TRUE(service.controller.restore(protocol::initial_state(accelerator)));
+    // Tables make more pairs than one line holds.
+    while (!rest.empty()) {
+        const std::string_view pair = rest.substr(0, rest.find(','));
+        rest.remove_prefix(std::min(pair.size() + 1, rest.size()));
+        EXPECT_TRUE(service.say("SET " + std::string(pair) + "\n").starts_with("OK seq=")) << pair;
+        const std::string key(pair.substr(0, pair.find('=')));
+        EXPECT_EQ(service.say("GET " + key + "\n"), "OK " + std::string(pair) + "\r\n");
+    }
+    EXPECT_EQ(service.controller.state(), state);
+    EXPECT_EQ(service.board.words, protocol::pack(accelerator, state));
+}
+
+/// What a person may ask, each line of it with a mark: the longest that replies become.
+TEST_P(EveryController, NoReplyIsCutOff)
+{
+    auto random = test::seeded_random();
+    ASSERT_TRUE(service.controller.restore(test::random_state(accelerator, random)));
+    std::vector<std::string> lines = {"HELP", "GET", "REGS", "STATUS", "PRESET", "QQQ=0"};
+    for (const protocol::Parameter& parameter : table) {
+        if (!parameter.is_tail())
+            lines.push_back("HELP " + std::string(parameter.key));
+    }
+    lines.push_back(test::default_pair(table[0])); // and the rest is missing
+    for (const std::string& line : lines) {
+        const std::uint8_t sum = protocol::xor_of(line);
+        const std::string marked =
+            line + '*' + protocol::hex_digits[sum >> 4] + protocol::hex_digits[sum & 0xF];
+        const std::string reply = service.say(marked + "\n");
+        ASSERT_GT(reply.size(), 5U) << line;
+        const std::size_t last = reply.find_last_of('\n', reply.size() - 2) + 1; // npos + 1 is 0
+        const std::string_view end = std::string_view(reply).substr(last);
+        EXPECT_TRUE(end.starts_with("OK") || end.starts_with("ERR ")) << line << ": " << end;
+        EXPECT_TRUE(end.ends_with("\r\n")) << line;
+        EXPECT_EQ(end[end.size() - 5], '*') << line << ": " << end;
+    }
+}
+
+/// In GET's own spelling, so with as many digits as a value can need.
+TEST_P(EveryController, AFrameFitsALine)
+{
+    auto random = test::seeded_random();
+    for (int i = 0; i < 100; ++i) {
+        const protocol::State state = test::random_state(accelerator, random);
+        protocol::ReplyWriter frame;
+        for (std::size_t p = 0; p < table.size(); ++p) {
+            if (!accelerator.frame[p])
+                continue;
+            frame << (p == 0 ? "" : ",");
+            protocol::write_assignment(frame, accelerator, state, p);
+        }
+        ASSERT_TRUE(service.say(std::string(frame.text()) + "\n").starts_with("OK seq="))
+            << frame.text();
+    }
+}
+
+TEST_P(EveryController, PresetsAreListedAndApplied)
+{
+    std::string names;
+    for (const protocol::Preset& preset : accelerator.presets)
+        names += (names.empty() ? "" : ",") + std::string(preset.name);
+    EXPECT_EQ(service.say("PRESET\n"), "OK presets=" + names + "\r\n");
+    auto random = test::seeded_random();
+    for (const protocol::Preset& preset : accelerator.presets) {
+        ASSERT_TRUE(service.controller.restore(test::random_state(accelerator, random)));
+        const std::string reply = service.say("PRESET " + std::string(preset.name) + "\n");
+        EXPECT_TRUE(reply.starts_with("OK seq=")) << preset.name << ": " << reply;
+        protocol::State expected = protocol::initial_state(accelerator);
+        protocol::ParameterSet given;
+        EXPECT_FALSE(protocol::read_assignments(accelerator, {.bytes = preset.settings}, expected,
+                                                given));
+        EXPECT_EQ(service.controller.state(), expected) << preset.name;
+    }
+}
+
+TEST_P(EveryController, RandomAndResetByGroup)
+{
+    for (const protocol::Parameter& parameter : table) {
+        const std::string group(parameter.group);
+        EXPECT_TRUE(service.say("RANDOM " + group + "\n").starts_with("OK seq=")) << group;
+        EXPECT_TRUE(service.say("RESET " + group + "\n").starts_with("OK seq=")) << group;
+        EXPECT_EQ(service.controller.state(), protocol::initial_state(accelerator)) << group;
+    }
+    EXPECT_TRUE(service.say("RANDOM\n").starts_with("OK seq="));
+    EXPECT_FALSE(service.controller.state() == protocol::initial_state(accelerator));
+}
+
+TEST_P(EveryController, SwitchesToEachOtherAndBack)
+{
+    service.board.emulated = true;
+    auto random = test::seeded_random();
+    for (const protocol::Accelerator* other : protocol::accelerators) {
+        if (other == &accelerator)
+            continue;
+        protocol::State had = test::random_state(*other, random);
+        service.storage.lasts[other] = had;
+        const std::string name(other->name);
+        EXPECT_EQ(service.say("ACCELERATOR " + name + "\n"), "OK accelerator=" + name + "\r\n");
+        EXPECT_EQ(service.board.used, other);
+        EXPECT_EQ(&service.controller.accelerator(), other);
+        EXPECT_EQ(service.controller.state(), had) << "as it was left";
+        EXPECT_EQ(service.board.words, protocol::pack(*other, had)) << name;
+        const std::string key(other->parameters[0].key);
+        EXPECT_TRUE(service.say("GET " + key + "\n").starts_with("OK " + key + "=")) << name;
+        EXPECT_TRUE(service.say(test::default_frame(*other) + "\n").starts_with("OK seq=")) << name;
+
+        service.storage.lasts.clear();
+        EXPECT_TRUE(service.say("accelerator " + std::string(accelerator.name) + "\n")
+                        .starts_with("OK accelerator="));
+        EXPECT_EQ(service.controller.state(), protocol::initial_state(accelerator))
+            << "the defaults, where nothing is known";
+    }
+}
+
+TEST_P(EveryController, ABoardThatComesBackAsAnother)
+{
+    auto random = test::seeded_random();
+    const protocol::State before = test::random_state(accelerator, random);
+    ASSERT_TRUE(service.controller.restore(before));
+    service.board.words = {};
+    service.controller.board_is_back(accelerator);
+    EXPECT_EQ(service.board.words, protocol::pack(accelerator, before)) << "the present words";
+    for (const protocol::Accelerator* other : protocol::accelerators) {
+        const protocol::State had = test::random_state(*other, random);
+        service.storage.lasts[other] = had;
+        const bool another = other != &service.controller.accelerator();
+        service.controller.board_is_back(*other);
+        EXPECT_EQ(&service.controller.accelerator(), other);
+        const protocol::State& expected = another ? had : before;
+        if (another || other == &accelerator) {
+            EXPECT_EQ(service.controller.state(), expected) << other->name;
+            EXPECT_EQ(service.board.words, protocol::pack(*other, expected)) << other->name;
+        }
+    }
+    EXPECT_EQ(service.board.used, nullptr) << "the board says what it is; nobody asks it to change";
+}
+
+TEST(Accelerator, OnlyAnEmulatedBlockIsSwitched)
+{
+    Service service;
+    const std::string other(protocol::accelerators[1]->name);
+    EXPECT_EQ(head(service.say("ACCELERATOR " + other + "\n")), "ERR ARGUMENT col=13");
+    EXPECT_EQ(&service.controller.accelerator(), &protocol::default_accelerator);
+    EXPECT_EQ(service.board.calls, 0);
+    // The one that is active already is no switch.
+    EXPECT_EQ(service.say("ACCELERATOR marcher\n"), "OK accelerator=marcher\r\n");
+    EXPECT_EQ(service.board.calls, 0);
+}
+
+TEST(Accelerator, AnUnknownOneIsRefused)
+{
+    Service service;
+    service.board.emulated = true;
+    for (const std::string name : {"nosuch", "fractals", "fractal sphere", "1"})
+        EXPECT_EQ(head(service.say("ACCELERATOR " + name + "\n")), "ERR ARGUMENT col=13") << name;
+    EXPECT_EQ(service.board.used, nullptr);
+}
+
+TEST(Accelerator, LockedStaysAsItIs)
+{
+    Service service;
+    service.board.emulated = true;
+    service.controller.set_locked(true);
+    for (const std::string name : {"fractal", "marcher", "nosuch"})
+        EXPECT_EQ(head(service.say("ACCELERATOR " + name + "\n")), "ERR LOCKED") << name;
+    EXPECT_EQ(service.say("ACCELERATOR\n"), "OK accelerator=marcher\r\n");
+    EXPECT_EQ(service.board.used, nullptr);
+}
+
+TEST(Accelerator, ABoardThatTakesNoWordsIsReported)
+{
+    Service service;
+    service.board.emulated = true;
+    service.board.outcome = Applied::Failed;
+    EXPECT_EQ(head(service.say("ACCELERATOR fractal\n")), "ERR HARDWARE");
+    service.board.outcome = Applied::Written;
+    EXPECT_EQ(service.say("ACCELERATOR\n"), "OK accelerator=fractal\r\n"); // it is that one now
+    EXPECT_EQ(service.say("SET SCENE=maze\n"), "OK seq=1 changed=1\r\n");
 }
 
 } // namespace

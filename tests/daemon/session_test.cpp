@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/session.hpp"
 
+#include "tests/fakes/descriptions.hpp"
 #include "tests/fakes/service.hpp"
 
 #include <gtest/gtest.h>
@@ -101,6 +102,46 @@ TEST(Session, TwoHostsShareOneState)
     Session other(service.controller);
     other.receive("SET ZM=4\nECHO on\n");
     EXPECT_EQ(service.say("GET ZM\n"), "OK ZM=4\r\n"); // and has no echo
+}
+
+class EverySession : public test::EveryAccelerator
+{
+  protected:
+    Service service{{}, accelerator};
+};
+INSTANTIATE_TEST_SUITE_P(Accelerators, EverySession, testing::ValuesIn(protocol::accelerators),
+                         test::accelerator_name);
+
+TEST_P(EverySession, AnyChunkingIsTheSameToIt)
+{
+    const std::string lines = test::default_frame(accelerator) + "\nGET\nREGS\r\nHELP\nPRESET\n";
+    const std::string whole = service.say(lines);
+    for (const std::size_t size : {1, 7, 64}) {
+        Service other({}, accelerator);
+        std::string replies;
+        for (std::size_t at = 0; at < lines.size(); at += size)
+            replies += other.say(lines.substr(at, size));
+        EXPECT_EQ(replies, whole) << size;
+    }
+}
+
+/// The longest replies of all fit what is kept for a host that reads them one by one.
+TEST_P(EverySession, NoReplyIsDroppedForItsLength)
+{
+    for (const std::string line : {"HELP\n", "GET\n", "REGS\n", "Q=1\n"})
+        EXPECT_FALSE(service.say(line).empty()) << line;
+    EXPECT_EQ(service.session.dropped_replies(), 0U);
+}
+
+TEST_P(EverySession, HostsSeeTheSameAccelerator)
+{
+    service.board.emulated = true;
+    Session other(service.controller);
+    const protocol::Accelerator& next =
+        *protocol::accelerators[(accelerator.kind + 1U) % protocol::accelerators.size()];
+    other.receive("ACCELERATOR " + std::string(next.name) + "\n");
+    EXPECT_EQ(service.say("ACCELERATOR\n"), "OK accelerator=" + std::string(next.name) + "\r\n");
+    EXPECT_EQ(service.say(test::default_frame(next) + "\n"), "OK seq=1 changed=0\r\n");
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 #include "base/crc32.hpp"
 #include "protocol/accelerators.hpp"
 #include "protocol/arguments.hpp"
-#include "tests/fakes/random.hpp"
+#include "tests/fakes/descriptions.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -115,6 +115,63 @@ TEST(StateFile, AStateThatIsNoFrameIsRefused)
     EXPECT_FALSE(parse_state_file(checked("last marcher ZM=11\n")));
     EXPECT_FALSE(parse_state_file(checked("last marcher ZM=1\n")));
     EXPECT_FALSE(parse_state_file(checked("last marcher\n")));
+}
+
+TEST(StateFile, HoldsAllAcceleratorsAtOnce)
+{
+    auto random = test::seeded_random();
+    for (int i = 0; i < 50; ++i) {
+        PersistedStates states;
+        for (const protocol::Accelerator* each : protocol::accelerators) {
+            if (test::pick(random, 0, 3) > 0)
+                states.of(*each).last = test::random_state(*each, random);
+            if (test::pick(random, 0, 3) > 0)
+                states.of(*each).saved = test::random_state(*each, random);
+        }
+        const auto back = parse_state_file(format_state_file(states));
+        ASSERT_TRUE(back) << back.error().message;
+        ASSERT_EQ(*back, states);
+    }
+}
+
+class EveryStateFile : public test::EveryAccelerator
+{};
+INSTANTIATE_TEST_SUITE_P(Accelerators, EveryStateFile, testing::ValuesIn(protocol::accelerators),
+                         test::accelerator_name);
+
+TEST_P(EveryStateFile, KeepsTheStateOfOneAlone)
+{
+    auto random = test::seeded_random();
+    PersistedStates states;
+    states.of(accelerator) = {.last = test::random_state(accelerator, random),
+                              .saved = protocol::initial_state(accelerator)};
+    const std::string text = format_state_file(states);
+    EXPECT_NE(text.find("last " + std::string(accelerator.name) + " "), std::string::npos);
+    auto back = parse_state_file(text);
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(*back, states);
+}
+
+TEST_P(EveryStateFile, RowsThatItDoesNotNameAreTheDefaults)
+{
+    const std::string name(accelerator.name);
+    auto back =
+        parse_state_file(checked("last " + name + " " + test::default_frame(accelerator) + "\n"));
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(back->of(accelerator).last, protocol::initial_state(accelerator));
+    EXPECT_FALSE(back->of(accelerator).saved);
+}
+
+TEST_P(EveryStateFile, AStateThatIsNoFrameIsRefused)
+{
+    const std::string name(accelerator.name);
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        if (!accelerator.frame[i])
+            continue;
+        const std::string text = test::default_frame(accelerator, i);
+        EXPECT_FALSE(parse_state_file(checked("last " + name + " " + text + "\n")))
+            << "without " << table[i].key;
+    }
 }
 
 } // namespace

@@ -73,8 +73,9 @@ struct FakeStatus final : daemon::StatusSource
 /// A controller between fakes, with one session on it.
 struct Service
 {
-    explicit Service(daemon::Policy policy = {})
-        : controller(protocol::default_accelerator, policy, board, storage, status, 1)
+    explicit Service(daemon::Policy policy = {},
+                     const protocol::Accelerator& accelerator = protocol::default_accelerator)
+        : controller(accelerator, policy, board, storage, status, 1)
     {}
 
     /// What the session answers to `bytes`, line endings included.

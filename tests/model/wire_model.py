@@ -573,15 +573,20 @@ def value_text(rng: random.Random, key: str) -> str:
     return text
 
 
+def accepted_by(judge: Callable[[Piece], object], text: str) -> bool:
+    """Whether `text` is one value, and one without a fault."""
+    try:
+        judge(take(text, 0, ","))
+    except Fault:
+        return False
+    return "," not in text and text == text.strip(BLANKS)
+
+
 def accepted(rng: random.Random, key: str) -> str:
     """A value without a fault, so that the frame's other values are looked at too."""
     while True:
         text = value_text(rng, key)
-        try:
-            convert(key, take(text, 0, ","))
-        except Fault:
-            continue
-        if "," not in text and text == text.strip(BLANKS):
+        if accepted_by(lambda piece: convert(key, piece), text):
             return text
 
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/arguments.hpp"
 
-#include "protocol/accelerators/marcher.hpp"
 #include "protocol/assignments.hpp"
-#include "tests/fakes/random.hpp"
+#include "tests/fakes/descriptions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -190,22 +190,100 @@ TEST(Random, StatesAreInsideTheRangesAndHaveARealCamera)
     EXPECT_EQ(most.codes[marcher::OBJ], 3);
 }
 
-TEST(Random, AGroupLeavesTheOthersAlone)
+class Groups : public test::EveryAccelerator
+{
+  protected:
+    [[nodiscard]] std::set<std::string_view> groups() const
+    {
+        std::set<std::string_view> names;
+        for (const Parameter& parameter : table)
+            names.insert(parameter.group);
+        return names;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Accelerators, Groups, testing::ValuesIn(accelerators),
+                         test::accelerator_name);
+
+TEST_P(Groups, AreFoundInAnyCase)
+{
+    for (const std::string_view group : groups()) {
+        EXPECT_EQ(find_group(accelerator, group), group);
+        std::string upper(group);
+        std::ranges::transform(upper, upper.begin(), to_upper);
+        EXPECT_EQ(find_group(accelerator, upper), group);
+    }
+    EXPECT_FALSE(find_group(accelerator, ""));
+    EXPECT_FALSE(find_group(accelerator, "nothing"));
+}
+
+TEST_P(Groups, RandomStatesAreInsideTheRanges)
 {
     auto random = test::seeded_random();
-    for (const std::string_view group : {"camera", "light", "colour", "object"}) {
+    for (int i = 0; i < 200; ++i) {
+        State state = initial_state(accelerator);
+        randomise(accelerator, "", random, state);
+        for (std::size_t p = 0; p < table.size(); ++p) {
+            ASSERT_GE(state.codes[p], table[p].min_scaled) << table[p].key;
+            ASSERT_LE(state.codes[p], test::largest_in_range(table[p])) << table[p].key;
+        }
+        ASSERT_TRUE(basis_is_orthonormal(accelerator, state));
+    }
+}
+
+TEST_P(Groups, ARandomGroupLeavesTheOthersAlone)
+{
+    auto random = test::seeded_random();
+    const State initial = initial_state(accelerator);
+    for (const std::string_view group : groups()) {
         bool changed = false;
         for (int i = 0; i < 50; ++i) {
-            State state = initial_state(accelerator);
+            State state = initial;
             randomise(accelerator, group, random, state);
-            for (std::size_t p = 0; p < accelerator.parameters.size(); ++p) {
-                const bool same = state.codes[p] == initial_state(accelerator).codes[p];
-                EXPECT_TRUE(same || accelerator.parameters[p].group == group)
-                    << accelerator.parameters[p].key << " by " << group;
+            for (std::size_t p = 0; p < table.size(); ++p) {
+                const bool same = state.codes[p] == initial.codes[p];
+                EXPECT_TRUE(same || table[p].group == group) << table[p].key << " by " << group;
                 changed |= !same;
             }
         }
         EXPECT_TRUE(changed) << group;
+    }
+}
+
+TEST_P(Groups, AreResetOneByOneOrAll)
+{
+    auto random = test::seeded_random();
+    const State changed = test::random_state(accelerator, random);
+    for (const std::string_view group : groups()) {
+        State state = changed;
+        reset(accelerator, group, state);
+        for (std::size_t p = 0; p < table.size(); ++p)
+            EXPECT_EQ(state.codes[p],
+                      table[p].group == group ? table[p].initial_code : changed.codes[p])
+                << table[p].key << " by " << group;
+    }
+    State state = changed;
+    reset(accelerator, "", state);
+    EXPECT_EQ(state, initial_state(accelerator));
+}
+
+TEST_P(Groups, ViewAndHueAreForThoseThatHaveTheParameters)
+{
+    const State initial = initial_state(accelerator);
+    State state = initial;
+    const auto view_fault = apply_view(accelerator, {.bytes = "30,20,3"}, state);
+    ASSERT_EQ(view_fault.has_value(), !accelerator.camera.has_value());
+    EXPECT_EQ(state == initial, view_fault.has_value());
+    EXPECT_TRUE(basis_is_orthonormal(accelerator, state));
+    state = initial;
+    const auto hue_fault = apply_hue(accelerator, {.bytes = "0.25"}, state);
+    ASSERT_EQ(hue_fault.has_value(), !accelerator.colour.has_value());
+    EXPECT_EQ(state == initial, hue_fault.has_value());
+    for (const auto& fault : {view_fault, hue_fault}) {
+        if (fault) {
+            EXPECT_EQ(fault->code, ErrorCode::Argument);
+            EXPECT_EQ(fault->column, 1U);
+            EXPECT_FALSE(fault->allowed.empty());
+        }
     }
 }
 
@@ -220,24 +298,7 @@ TEST(Random, TheSameSeedDrawsTheSameState)
     EXPECT_EQ(a, b);
 }
 
-TEST(Reset, AGroupOrAll)
-{
-    State changed;
-    for (std::int64_t& code : changed.codes)
-        code = 1;
-    State state = changed;
-    reset(accelerator, "light", state);
-    for (std::size_t p = 0; p < accelerator.parameters.size(); ++p)
-        EXPECT_EQ(state.codes[p], accelerator.parameters[p].group == "light"
-                                      ? accelerator.parameters[p].initial_code
-                                      : 1)
-            << accelerator.parameters[p].key;
-    state = State{};
-    reset(accelerator, "", state);
-    EXPECT_EQ(state, initial_state(accelerator));
-}
-
-TEST(Groups, AreFoundInAnyCase)
+TEST(MarcherGroups, AreCalledAsTheContractSays)
 {
     EXPECT_EQ(find_group(accelerator, "CAMERA"), "camera");
     EXPECT_EQ(find_group(accelerator, "Colour"), "colour");

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/assignments.hpp"
 
-#include "protocol/accelerators/marcher.hpp"
+#include "protocol/accelerators.hpp"
+#include "protocol/reply.hpp"
+#include "tests/fakes/descriptions.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -14,6 +17,7 @@ namespace raymarch::protocol
 namespace
 {
 
+// The tests with numbers typed by hand are the marcher's.
 constexpr const Accelerator& accelerator = marcher::description;
 
 struct FaultRow
@@ -46,7 +50,7 @@ constexpr std::array fault_rows = {
     FaultRow{"OBJ=cubes", ErrorCode::Object, 5, "OBJ"},
 };
 
-TEST(Assignments, TheFirstFaultWins)
+TEST(MarcherAssignments, TheFirstFaultWins)
 {
     for (const FaultRow& row : fault_rows) {
         State state;
@@ -61,7 +65,7 @@ TEST(Assignments, TheFirstFaultWins)
     }
 }
 
-TEST(Assignments, ColumnsCountFromTheLine)
+TEST(MarcherAssignments, ColumnsCountFromTheLine)
 {
     State state;
     ParameterSet given;
@@ -70,7 +74,7 @@ TEST(Assignments, ColumnsCountFromTheLine)
     EXPECT_EQ(fault->column, 8U);
 }
 
-TEST(Assignments, SetsWhatIsNamedAndNothingElse)
+TEST(MarcherAssignments, SetsWhatIsNamedAndNothingElse)
 {
     State state = initial_state(accelerator);
     ParameterSet given;
@@ -83,34 +87,197 @@ TEST(Assignments, SetsWhatIsNamedAndNothingElse)
     EXPECT_TRUE(given[marcher::OBJ] && given[marcher::ZM]);
 }
 
-std::string whole_frame()
+class Assignments : public test::EveryAccelerator
 {
-    std::string text;
-    for (const Parameter& parameter : accelerator.parameters)
-        text += (text.empty() ? "" : ",") + std::string(parameter.key) + "=" +
-                std::string(parameter.initial);
-    return text;
-}
+  protected:
+    /// The fault of `text`, which is to have one.
+    [[nodiscard]] Fault fault_of(const std::string& text) const
+    {
+        State state = initial_state(accelerator);
+        ParameterSet given;
+        const auto fault = read_assignments(accelerator, {.bytes = text}, state, given);
+        EXPECT_TRUE(fault) << text;
+        return fault.value_or(Fault{});
+    }
+    /// `text` as SET reads it on top of `state`, without a fault.
+    [[nodiscard]] State set(State state, const std::string& text) const
+    {
+        ParameterSet given;
+        EXPECT_FALSE(read_assignments(accelerator, {.bytes = text}, state, given)) << text;
+        return state;
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Accelerators, Assignments, testing::ValuesIn(accelerators),
+                         test::accelerator_name);
 
-TEST(Frame, TheDefaultsAsText)
+TEST_P(Assignments, AFrameOfDefaults)
 {
-    State state;
-    EXPECT_FALSE(read_frame(accelerator, {.bytes = whole_frame()}, state));
+    State state = initial_state(accelerator); // rows keep what they are
+    EXPECT_FALSE(read_frame(accelerator, {.bytes = test::default_frame(accelerator)}, state));
     EXPECT_EQ(state, initial_state(accelerator));
 }
 
-TEST(Frame, EachParameterCanBeTheMissingOne)
+TEST_P(Assignments, AFrameLeavesTheRowsOfTablesAlone)
 {
-    for (std::size_t i = 0; i < accelerator.parameters.size(); ++i) {
-        std::string text;
-        for (const Parameter& parameter : accelerator.parameters)
-            if (&parameter != &accelerator.parameters[i])
-                text += (text.empty() ? "" : ",") + std::string(parameter.key) + "=0";
-        State state;
+    auto random = test::seeded_random();
+    const State before = test::random_state(accelerator, random);
+    State state = before;
+    EXPECT_FALSE(read_frame(accelerator, {.bytes = test::default_frame(accelerator)}, state));
+    for (std::size_t i = 0; i < table.size(); ++i)
+        EXPECT_EQ(state.codes[i], table[i].is_row() ? before.codes[i] : table[i].initial_code)
+            << table[i].key;
+}
+
+TEST_P(Assignments, WhatIsMissingIsListedAndNothingElse)
+{
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        State state = initial_state(accelerator);
+        const std::string text = test::default_frame(accelerator, i);
         const auto fault = read_frame(accelerator, {.bytes = text}, state);
-        ASSERT_TRUE(fault) << accelerator.parameters[i].key;
-        EXPECT_EQ(fault->code, ErrorCode::MissingKey);
-        EXPECT_EQ(fault->missing, ParameterSet().set(i)) << accelerator.parameters[i].key;
+        ASSERT_EQ(fault.has_value(), accelerator.frame[i]) << table[i].key;
+        if (!fault)
+            continue;
+        EXPECT_EQ(fault->code, ErrorCode::MissingKey) << table[i].key;
+        EXPECT_EQ(fault->missing, ParameterSet().set(i)) << table[i].key;
+    }
+    // One pair alone: everything else that a frame needs.
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        if (table[i].is_tail())
+            continue;
+        State state = initial_state(accelerator);
+        const std::string text = test::default_pair(table[i]);
+        const auto fault = read_frame(accelerator, {.bytes = text}, state);
+        ASSERT_TRUE(fault) << table[i].key;
+        ParameterSet others = accelerator.frame;
+        others.set(i, false);
+        EXPECT_EQ(fault->missing, others) << table[i].key;
+    }
+}
+
+TEST_P(Assignments, AKeyStandsOnce)
+{
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        if (table[i].is_tail())
+            continue;
+        const std::string pair = test::default_pair(table[i]);
+        const Fault fault = fault_of(pair + ", " + pair);
+        EXPECT_EQ(fault.code, ErrorCode::DuplicateKey) << pair;
+        EXPECT_EQ(fault.parameter, i) << pair;
+        EXPECT_EQ(fault.column, pair.size() + 3) << pair;
+    }
+}
+
+/// The nearest number beyond an end of a range that thirty characters hold.
+std::string beyond(std::string_view end, bool upper)
+{
+    const bool away_from_zero = upper != end.starts_with('-');
+    const bool has_point = end.find('.') != std::string_view::npos;
+    const std::string digits = std::string(has_point || end.size() > 28 ? "" : ".") +
+                               std::string(28 - std::min<std::size_t>(end.size(), 28), '0') + "1";
+    if (end == "0")
+        return (upper ? "0" : "-0") + digits;
+    if (away_from_zero)
+        return std::string(end) + digits;
+    if (has_point) { // its last digit is none of zero
+        std::string text(end);
+        --text.back();
+        return text + "9999";
+    }
+    return std::to_string(std::stoll(std::string(end)) + (upper ? 1 : -1)) + ".99999999";
+}
+
+TEST_P(Assignments, ANumberBeyondItsRangeIsRefused)
+{
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        if (table[i].is_choice() || table[i].is_tail())
+            continue;
+        const std::string key(table[i].key);
+        for (const std::string& value :
+             {beyond(table[i].min, false), beyond(table[i].max, true), std::string("1e30")}) {
+            const Fault fault = fault_of(" " + key + "=" + value);
+            EXPECT_EQ(fault.code, ErrorCode::Range) << key << '=' << value;
+            EXPECT_EQ(fault.parameter, i) << key;
+            EXPECT_EQ(fault.column, key.size() + 3) << key;
+        }
+        EXPECT_EQ(fault_of(key + "=1x").code, ErrorCode::Number) << key;
+    }
+}
+
+TEST_P(Assignments, AWordThatIsNoChoiceIsRefused)
+{
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        if (!table[i].is_choice())
+            continue;
+        const std::string key(table[i].key);
+        for (const std::string& value : {std::to_string(table[i].choices.size()),
+                                         std::string(table[i].choices[0]) + "x", std::string()}) {
+            const Fault fault = fault_of(key + "=" + value);
+            EXPECT_EQ(fault.code, ErrorCode::Object) << key << '=' << value;
+            EXPECT_EQ(fault.parameter, i) << key;
+            EXPECT_EQ(fault.column, key.size() + 2) << key;
+        }
+    }
+}
+
+TEST_P(Assignments, OnePairChangesOneParameter)
+{
+    auto random = test::seeded_random();
+    const State before = test::random_state(accelerator, random);
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        if (table[i].is_tail())
+            continue;
+        State expected = before;
+        expected.codes[i] = table[i].initial_code;
+        if (table[i].tail_bits > 0)
+            expected.codes[i + 1] = 0;
+        EXPECT_EQ(set(before, test::default_pair(table[i])), expected) << table[i].key;
+    }
+}
+
+TEST_P(Assignments, EveryNumberAndChoiceByItsCode)
+{
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        if (table[i].is_tail())
+            continue;
+        const std::string key = std::string(table[i].key) + "=";
+        const State initial = initial_state(accelerator);
+        for (std::size_t code = 0; code < table[i].choices.size(); ++code) {
+            const auto wanted = static_cast<std::int64_t>(code);
+            EXPECT_EQ(set(initial, key + std::to_string(code)).codes[i], wanted) << key;
+            EXPECT_EQ(set(initial, key + std::string(table[i].choices[code])).codes[i], wanted)
+                << key;
+        }
+        if (table[i].is_choice())
+            continue;
+        EXPECT_EQ(set(initial, key + std::string(table[i].min)).codes[i], table[i].min_scaled);
+        EXPECT_EQ(set(initial, key + std::string(table[i].max)).codes[i],
+                  std::min(table[i].max_scaled, table[i].largest_code));
+    }
+}
+
+TEST_P(Assignments, KeysOfOtherTablesAreUnknown)
+{
+    const bool has_rows = std::ranges::any_of(table, &Parameter::is_row);
+    EXPECT_EQ(fault_of("QQQ=0").code, ErrorCode::UnknownKey);
+    for (const std::string key : {"S0.X", "S99.X", "S1.", "S1X", "S1.X."})
+        EXPECT_EQ(fault_of(key + "=0").code, has_rows ? ErrorCode::UnknownKey : ErrorCode::Syntax)
+            << key;
+    EXPECT_EQ(fault_of("1S.X=0").code, ErrorCode::Syntax);
+}
+
+TEST_P(Assignments, AnyStateComesBackFromItsText)
+{
+    auto random = test::seeded_random();
+    for (int i = 0; i < 50; ++i) {
+        const State state = test::random_state(accelerator, random);
+        ReplyWriter text;
+        text.begin(false);
+        write_state(text, accelerator, state);
+        ASSERT_FALSE(text.overflowed());
+        State by_frame(table.size());
+        ASSERT_FALSE(read_frame(accelerator, {.bytes = text.text()}, by_frame));
+        ASSERT_EQ(by_frame, state) << text.text();
+        ASSERT_EQ(set(initial_state(accelerator), std::string(text.text())), state) << text.text();
     }
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/dequantizer.hpp"
 
-#include "protocol/accelerators/mandelbulb.hpp"
-#include "protocol/accelerators/marcher.hpp"
-#include "tests/fakes/random.hpp"
+#include "protocol/quantizer.hpp"
+#include "tests/fakes/descriptions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -57,6 +57,49 @@ TEST(Dequantizer, FewestPlacesThatComeBack)
         const Parameter& parameter = marcher::parameters[row.parameter];
         EXPECT_EQ(to_text(parameter, row.code).view(), row.text)
             << parameter.key << " code " << row.code << ": " << row.why;
+    }
+}
+
+class Texts : public test::EveryAccelerator
+{};
+INSTANTIATE_TEST_SUITE_P(Accelerators, Texts, testing::ValuesIn(accelerators),
+                         test::accelerator_name);
+
+TEST_P(Texts, QuantiseBack)
+{
+    auto random = test::seeded_random();
+    for (int i = 0; i < 50; ++i) {
+        const State state = test::random_state(accelerator, random);
+        for (std::size_t p = 0; p < table.size(); ++p) {
+            const Parameter& parameter = table[p];
+            const std::int64_t code = state.codes[p];
+            if (parameter.is_choice()) {
+                EXPECT_EQ(find_choice(parameter, to_text(parameter, code).view()), code);
+            } else if (parameter.tail_bits > 0) {
+                const WideCode wide{.upper = code, .tail = state.codes[p + 1]};
+                EXPECT_EQ(quantize_wide(parameter, to_text(parameter, code, wide.tail).view()),
+                          wide)
+                    << parameter.key << " code " << code << ' ' << wide.tail;
+            } else if (!parameter.is_tail()) {
+                EXPECT_EQ(quantize(parameter, to_text(parameter, code).view()), code)
+                    << parameter.key;
+            }
+        }
+    }
+}
+
+TEST_P(Texts, TheEndsOfARangeAreWrittenAsTheTableWritesThem)
+{
+    for (const Parameter& parameter : table) {
+        if (parameter.is_choice() || parameter.is_tail())
+            continue;
+        EXPECT_EQ(to_text(parameter, parameter.min_scaled).view(), parameter.min) << parameter.key;
+        if (parameter.max_scaled > parameter.largest_code) // no code has that value
+            continue;
+        const std::string_view text = to_text(parameter, parameter.max_scaled).view();
+        EXPECT_LE(text.size(), parameter.max.size()) << parameter.key;
+        EXPECT_TRUE(parameter.tail_bits > 0 || quantize(parameter, text) == parameter.max_scaled)
+            << parameter.key << '=' << text;
     }
 }
 
@@ -114,6 +157,18 @@ TEST(Dequantizer, NoFewerPlacesWouldDo)
         expect_fewest_places(marcher::parameters[marcher::ZM],
                              test::pick<std::int64_t>(random, 0, 167'772'160));
 }
+
+TEST_P(Texts, NoFewerPlacesWouldDo)
+{
+    auto random = test::seeded_random();
+    for (const Parameter& parameter : table) {
+        if (parameter.is_choice() || parameter.is_tail() || parameter.tail_bits > 0)
+            continue;
+        for (int i = 0; i < 30; ++i)
+            expect_fewest_places(parameter, test::pick(random, parameter.min_scaled,
+                                                       test::largest_in_range(parameter)));
+    }
+}
 #endif
 
 TEST(Dequantizer, ACodeBeyondTheRangeIsShownAsIfTheRangeWereTheFormat)
@@ -126,7 +181,8 @@ TEST(Dequantizer, ACodeBeyondTheRangeIsShownAsIfTheRangeWereTheFormat)
 
 TEST(Dequantizer, ANegativeNumberWithAnEmptyTail)
 {
-    const Parameter& position = mandelbulb::parameters[mandelbulb::Y]; // Q8.64, the tail has 32 bits
+    const Parameter& position =
+        mandelbulb::parameters[mandelbulb::Y]; // Q8.64, the tail has 32 bits
     EXPECT_EQ(to_text(position, -(std::int64_t{1} << 32), 0).view(), "-1");
     EXPECT_EQ(to_text(position, -1, 0).view(), "-0.00000000023283064365"); // 2^-32
     EXPECT_EQ(to_text(position, -1, 0xFFFF'FFFF).view(), "-0.00000000000000000005");

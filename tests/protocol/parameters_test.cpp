@@ -4,12 +4,16 @@
 #include "protocol/accelerators.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/quantizer.hpp"
+#include "tests/fakes/descriptions.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace raymarch::protocol
 {
@@ -42,18 +46,112 @@ TEST(Format, WidthAndCodes)
     }
 }
 
-TEST(Parameters, KeysAreFoundFromAnyGuess)
+class Parameters : public test::EveryAccelerator
+{};
+INSTANTIATE_TEST_SUITE_P(Accelerators, Parameters, testing::ValuesIn(accelerators),
+                         test::accelerator_name);
+
+TEST_P(Parameters, KeysAreFoundFromAnyGuess)
+{
+    for (std::size_t i = 0; i < table.size(); ++i)
+        for (std::size_t guess = 0; guess <= table.size() + 1 && !table[i].is_tail(); ++guess)
+            ASSERT_EQ(find_parameter(table, table[i].key, guess), i) << table[i].key;
+    EXPECT_FALSE(find_parameter(table, ""));
+}
+
+TEST_P(Parameters, TheDescriptionHoldsTogether)
+{
+    EXPECT_EQ(accelerators[accelerator.kind], &accelerator) << "kinds count from 0";
+    EXPECT_EQ(find_accelerator(accelerator.name), &accelerator);
+    EXPECT_EQ(position_of(accelerator), accelerator.kind);
+    EXPECT_LE(accelerator.size.width, accelerator.max_size.width);
+    EXPECT_LE(accelerator.size.height, accelerator.max_size.height);
+    EXPECT_GT(accelerator.clock_hz, 0U);
+    EXPECT_GT(accelerator.ray_units, 0);
+    std::size_t fields = 0;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const Parameter& parameter = table[i];
+        fields += parameter.slice_count;
+        EXPECT_FALSE(parameter.meaning.empty()) << parameter.key;
+        EXPECT_FALSE(parameter.group.empty()) << parameter.key;
+        EXPECT_EQ(accelerator.frame[i], !parameter.is_row() && !parameter.is_tail())
+            << parameter.key;
+    }
+    EXPECT_EQ(accelerator.fields.size(), fields);
+}
+
+TEST_P(Parameters, EveryChoiceHasANameAndADigit)
+{
+    for (const Parameter& parameter : table) {
+        for (std::size_t code = 0; code < parameter.choices.size(); ++code) {
+            std::string name(parameter.choices[code]);
+            EXPECT_EQ(find_choice(parameter, name), code) << parameter.key << '=' << name;
+            std::ranges::transform(name, name.begin(), to_upper);
+            EXPECT_EQ(find_choice(parameter, name), code) << parameter.key << '=' << name;
+            EXPECT_EQ(find_choice(parameter, std::to_string(code)), code) << parameter.key;
+            EXPECT_FALSE(find_choice(parameter, name + " ")) << parameter.key;
+        }
+        EXPECT_FALSE(find_choice(parameter, std::to_string(parameter.choices.size())))
+            << parameter.key;
+        EXPECT_FALSE(find_choice(parameter, "")) << parameter.key;
+    }
+}
+
+TEST_P(Parameters, EndsAndDefaultsAreAccepted)
+{
+    for (const Parameter& parameter : table) {
+        if (parameter.is_choice() || parameter.tail_bits > 0 || parameter.is_tail())
+            continue;
+        EXPECT_EQ(quantize(parameter, parameter.min), parameter.min_scaled) << parameter.key;
+        EXPECT_EQ(quantize(parameter, parameter.max),
+                  std::min(parameter.max_scaled, parameter.largest_code))
+            << parameter.key;
+        EXPECT_EQ(quantize(parameter, parameter.initial), parameter.initial_code) << parameter.key;
+    }
+}
+
+TEST_P(Parameters, EndsAndDefaultsOfWideNumbersAreAccepted)
+{
+    for (const Parameter& parameter : table) {
+        if (parameter.tail_bits == 0)
+            continue;
+        const auto code = [](std::int64_t upper) { return WideCode{.upper = upper, .tail = 0}; };
+        EXPECT_EQ(quantize_wide(parameter, parameter.min), code(parameter.min_scaled));
+        EXPECT_EQ(quantize_wide(parameter, parameter.max), code(parameter.max_scaled));
+        EXPECT_EQ(quantize_wide(parameter, parameter.initial), code(parameter.initial_code));
+    }
+}
+
+TEST_P(Parameters, PresetsAreReadAndDiffer)
+{
+    std::vector<State> views;
+    std::set<std::string_view> names;
+    for (const Preset& preset : accelerator.presets) {
+        State state = initial_state(accelerator);
+        ParameterSet given;
+        EXPECT_FALSE(read_assignments(accelerator, {.bytes = preset.settings}, state, given))
+            << preset.name; // an empty one would be no assignment
+        EXPECT_TRUE(basis_is_orthonormal(accelerator, state)) << preset.name;
+        EXPECT_TRUE(names.insert(preset.name).second) << preset.name;
+        EXPECT_EQ(preset.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_"),
+                  std::string_view::npos)
+            << preset.name;
+        EXPECT_FALSE(preset.summary.empty()) << preset.name;
+        EXPECT_EQ(std::ranges::count(views, state), 0) << preset.name << " is another one again";
+        views.push_back(state);
+    }
+    EXPECT_FALSE(views.empty());
+}
+
+TEST(MarcherParameters, KeysAreFoundInAnyCase)
 {
     const auto table = marcher::description.parameters;
-    for (std::size_t i = 0; i < table.size(); ++i)
-        for (std::size_t guess = 0; guess <= table.size() + 1; ++guess)
-            EXPECT_EQ(find_parameter(table, table[i].key, guess), i) << table[i].key;
     EXPECT_EQ(find_parameter(table, "obj"), marcher::OBJ);
     EXPECT_FALSE(find_parameter(table, ""));
     EXPECT_FALSE(find_parameter(table, "F"));
 }
 
-TEST(Parameters, ChoicesHaveANameAndADigit)
+TEST(MarcherParameters, ChoicesHaveANameAndADigit)
 {
     const Parameter& scene = marcher::parameters[marcher::OBJ];
     EXPECT_EQ(find_choice(scene, "Infinite_Cube"), 2);
@@ -80,7 +178,7 @@ constexpr std::array ranges = {
     RangeRow{"OBJ", "object", "", "", 2},
 };
 
-TEST(Marcher, RangesAreThoseOfTheContract)
+TEST(MarcherParameters, RangesAreThoseOfTheContract)
 {
     std::size_t count = 0;
     for (const RangeRow& row : ranges) {
@@ -100,30 +198,14 @@ TEST(Marcher, RangesAreThoseOfTheContract)
     EXPECT_EQ(count, marcher::parameters.size());
 }
 
-TEST(Marcher, BothEndsOfEachRangeAreAccepted)
-{
-    for (const Parameter& parameter : marcher::parameters) {
-        if (parameter.is_choice())
-            continue;
-        EXPECT_TRUE(quantize(parameter, parameter.min)) << parameter.key;
-        EXPECT_TRUE(quantize(parameter, parameter.max)) << parameter.key;
-        EXPECT_EQ(quantize(parameter, parameter.initial), parameter.initial_code) << parameter.key;
-    }
-}
-
-TEST(Marcher, PresetsAreReadAndHaveARealCamera)
+TEST(MarcherParameters, PresetsShowEveryScene)
 {
     std::array<int, marcher::scenes.size()> views{};
-    std::set<std::string_view> names;
     for (const Preset& preset : marcher::presets) {
         State state = initial_state(marcher::description);
         ParameterSet given;
         EXPECT_FALSE(
-            read_assignments(marcher::description, {.bytes = preset.settings}, state, given))
-            << preset.name;
-        EXPECT_TRUE(basis_is_orthonormal(marcher::description, state)) << preset.name;
-        EXPECT_TRUE(names.insert(preset.name).second) << preset.name;
-        EXPECT_FALSE(preset.summary.empty()) << preset.name;
+            read_assignments(marcher::description, {.bytes = preset.settings}, state, given));
         ++views[static_cast<std::size_t>(state.codes[marcher::OBJ])];
     }
     for (std::size_t scene = 0; scene < views.size(); ++scene)

@@ -4,10 +4,9 @@
 /// ties.
 #include "protocol/quantizer.hpp"
 
-#include "protocol/accelerators/marcher.hpp"
 #include "protocol/dequantizer.hpp"
 #include "protocol/plain_number.hpp"
-#include "tests/fakes/random.hpp"
+#include "tests/fakes/descriptions.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -213,6 +212,87 @@ TEST(Quantizer, TheShortWayAgreesWithTheGeneralOne)
         }
     }
     EXPECT_GT(taken, 10'000); // or the texts have become useless
+}
+
+class Numbers : public test::EveryAccelerator
+{
+  protected:
+    /// Code of a number, or why it has none; the tail is left out.
+    [[nodiscard]] static tl::expected<std::int64_t, ErrorCode> general(const Parameter& parameter,
+                                                                       std::string_view text)
+    {
+        if (parameter.tail_bits > 0)
+            return quantize_wide(parameter, text).map([](WideCode code) { return code.upper; });
+        return quantize(parameter, text);
+    }
+};
+INSTANTIATE_TEST_SUITE_P(Accelerators, Numbers, testing::ValuesIn(accelerators),
+                         test::accelerator_name);
+
+TEST_P(Numbers, TheShortWayAgreesWithTheGeneralOne)
+{
+    auto random = test::seeded_random();
+    int taken = 0;
+    for (int i = 0; i < 10'000; ++i) {
+        const std::string text = random_number(random);
+        const std::string line = text + ",A=b"; // as it stands in a frame
+        for (const Parameter& parameter : table) {
+            std::int64_t code = 0;
+            const std::size_t length = parameter.is_choice() || parameter.is_tail()
+                                           ? 0
+                                           : quantize_plain(parameter, line, code);
+            if (length == 0 || line[length] != ',')
+                continue; // left to the general way
+            ASSERT_EQ(general(parameter, text), code) << parameter.key << '=' << text;
+            ASSERT_EQ(parameter.tail_bits, 0) << parameter.key;
+            ++taken;
+        }
+    }
+    EXPECT_GT(taken, 200); // or the texts have become useless
+}
+
+TEST_P(Numbers, EnormousOnesAreOutOfRange)
+{
+    for (const std::string text :
+         {"9007199254740992", "9223372036854775808.5", "18446744073709551615.99999",
+          "18446744073709551616", "36893488147419103232", "1e20", "1e999"})
+        for (const Parameter& parameter : table) {
+            if (parameter.is_choice() || parameter.is_tail())
+                continue;
+            EXPECT_EQ(general(parameter, text), tl::unexpected(ErrorCode::Range))
+                << parameter.key << '=' << text;
+            EXPECT_EQ(general(parameter, "-" + text), tl::unexpected(ErrorCode::Range))
+                << parameter.key << "=-" << text;
+        }
+}
+
+TEST_P(Numbers, ATieGoesToTheEvenCode)
+{
+    for (const Parameter& parameter : table) {
+        if (parameter.is_choice() || parameter.is_tail() || parameter.tail_bits > 0)
+            continue;
+        const int bits = parameter.format.fraction_bits;
+        if (bits > 30) // half a unit would need more than 32 characters
+            continue;
+        // From the middle of the range on: odd multiples of half a unit, written out in full.
+        const std::int64_t middle = (parameter.min_scaled + parameter.max_scaled) / 2;
+        for (std::int64_t below = middle; below < std::min(middle + 8, parameter.max_scaled);
+             ++below) {
+            const bool negative = below < 0; // between `below` and `below` + 1, which may be 0
+            const std::uint64_t halves =
+                static_cast<std::uint64_t>(negative ? -2 * below - 1 : 2 * below + 1);
+            std::string text = (negative ? "-" : "") + std::to_string(halves >> (bits + 1)) + ".";
+            std::uint64_t rest = halves & ((std::uint64_t{2} << bits) - 1);
+            for (int place = 0; place <= bits; ++place) {
+                rest *= 10;
+                text += static_cast<char>('0' + (rest >> (bits + 1)));
+                rest &= (std::uint64_t{2} << bits) - 1;
+            }
+            const std::int64_t even = below + (below & 1);
+            EXPECT_EQ(quantize(parameter, text), std::min(even, parameter.largest_code))
+                << parameter.key << '=' << text;
+        }
+    }
 }
 
 /// Numbers whose half codes fill 64 bits, or just do not: nothing may wrap around into the range.

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/reply.hpp"
 
-#include "protocol/accelerators/marcher.hpp"
+#include "protocol/accelerators.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/checksum.hpp"
 #include "protocol/commands.hpp"
 #include "protocol/help.hpp"
+#include "tests/fakes/descriptions.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -167,21 +169,28 @@ TEST(Reply, TheWordsAreEightHexDigitsEach)
               "OK 01804028 03000000 00000000 07FFFFFF 7FFFC000 000003FF 00001FFF F00003FF");
 }
 
-void expect_help_lines(std::string_view word)
+class Replies : public test::EveryAccelerator
 {
-    ReplyWriter reply;
-    reply.begin(true);
-    EXPECT_TRUE(write_help(reply, accelerator, word)) << word;
-    const auto lines = lines_of(reply);
-    EXPECT_FALSE(lines.empty()) << word;
-    for (const std::string& line : lines) {
-        EXPECT_TRUE(line.starts_with("# ")) << line;
-        EXPECT_TRUE(std::ranges::all_of(line, [](char c) { return c >= 0x20 && c <= 0x7E; }))
-            << line;
+  protected:
+    /// The lines that HELP says about `word`, all of them fit for a terminal.
+    void expect_help_lines(std::string_view word) const
+    {
+        ReplyWriter reply;
+        reply.begin(true);
+        EXPECT_TRUE(write_help(reply, accelerator, word)) << word;
+        const auto lines = lines_of(reply);
+        EXPECT_FALSE(lines.empty()) << word;
+        for (const std::string& line : lines) {
+            EXPECT_TRUE(line.starts_with("# ")) << line;
+            EXPECT_TRUE(std::ranges::all_of(line, [](char c) { return c >= 0x20 && c <= 0x7E; }))
+                << line;
+        }
     }
-}
+};
+INSTANTIATE_TEST_SUITE_P(Accelerators, Replies, testing::ValuesIn(accelerators),
+                         test::accelerator_name);
 
-TEST(Help, FitsTheBufferWithRoom)
+TEST_P(Replies, HelpFitsTheBuffer)
 {
     ReplyWriter reply;
     reply.begin(true);
@@ -191,16 +200,131 @@ TEST(Help, FitsTheBufferWithRoom)
     EXPECT_FALSE(reply.overflowed());
 }
 
-TEST(Help, KnowsEveryCommandParameterAndCode)
+TEST_P(Replies, HelpKnowsEveryCommandParameterAndCode)
 {
     expect_help_lines("");
     for (const CommandRow& row : commands)
         expect_help_lines(row.name);
-    for (const Parameter& parameter : accelerator.parameters)
-        expect_help_lines(parameter.key);
+    for (const Parameter& parameter : table) {
+        if (!parameter.is_tail())
+            expect_help_lines(parameter.key);
+    }
     for (const ErrorRow& row : errors)
         expect_help_lines(row.name);
     expect_help_lines("view"); // any case
+}
+
+TEST_P(Replies, HelpNamesEachGroupOnce)
+{
+    ReplyWriter reply;
+    reply.begin(false);
+    ASSERT_TRUE(write_help(reply, accelerator, "RESET"));
+    std::string line = lines_of(reply).back() + " ";
+    ASSERT_TRUE(line.starts_with("# GROUP is ")) << line;
+    std::set<std::string_view> groups;
+    for (const Parameter& parameter : table)
+        groups.insert(parameter.group);
+    std::size_t length = std::string_view("# GROUP is ").size();
+    for (const std::string_view group : groups) {
+        EXPECT_NE(line.find(" " + std::string(group) + " "), std::string::npos) << group;
+        length += group.size() + 1;
+    }
+    EXPECT_EQ(line.size(), length) << line;
+}
+
+TEST_P(Replies, HelpNamesEachKeyOfAFrame)
+{
+    ReplyWriter reply;
+    reply.begin(false);
+    ASSERT_TRUE(write_help(reply, accelerator, ""));
+    std::string first = lines_of(reply).front();
+    std::ranges::replace(first, ';', ' ');
+    for (const Parameter& parameter : table) {
+        if (!parameter.is_row() && !parameter.is_tail()) {
+            EXPECT_NE(first.find(" " + std::string(parameter.key) + " "), std::string::npos)
+                << parameter.key;
+        }
+    }
+}
+
+/// The most characters that a value of `parameter` has.
+std::size_t longest_value(const Parameter& parameter)
+{
+    if (parameter.is_choice())
+        return std::ranges::max(parameter.choices, {}, &std::string_view::size).size();
+    const auto whole = [](std::string_view text) { return text.substr(0, text.find('.')).size(); };
+    const std::size_t places = parameter.format.fraction_bits * 3U / 10 + 2; // log10(2) is 0.301
+    return std::max(whole(parameter.min), whole(parameter.max)) + 1 +
+           (parameter.format.fraction_bits == 0 ? 0 : places);
+}
+
+TEST_P(Replies, TheLongestStateFitsTheBuffer)
+{
+    std::size_t longest = std::string_view("OK *00\r\n").size();
+    for (const Parameter& parameter : table) {
+        if (parameter.is_tail())
+            continue;
+        EXPECT_LE(longest_value(parameter), max_number_length) << parameter.key;
+        longest += parameter.key.size() + 1 + longest_value(parameter) + 1; // KEY=VALUE,
+    }
+    ReplyWriter reply;
+    reply.begin(true);
+    reply << std::string(longest, 'x');
+    EXPECT_FALSE(reply.overflowed()) << longest;
+}
+
+TEST_P(Replies, FaultsFitTheBuffer)
+{
+    ReplyWriter reply;
+    reply.begin(true);
+    Fault everything{.code = ErrorCode::MissingKey};
+    for (std::size_t i = 0; i < table.size(); ++i)
+        everything.missing.set(i, accelerator.frame[i]);
+    write_fault(reply, accelerator, everything);
+    write_fault(reply, accelerator,
+                {.code = ErrorCode::UnknownKey, .column = 1000, .word = std::string(32, 'q')});
+    EXPECT_EQ(lines_of(reply).size(), 2U);
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        if (table[i].is_tail())
+            continue;
+        reply.begin(true);
+        const auto code = table[i].is_choice() ? ErrorCode::Object : ErrorCode::Range;
+        write_fault(reply, accelerator,
+                    {.code = code, .column = 5, .parameter = static_cast<ParameterIndex>(i)});
+        const auto lines = lines_of(reply);
+        ASSERT_EQ(lines.size(), 1U);
+        const std::string key(table[i].key);
+        EXPECT_NE(lines[0].find(" col=5 key=" + key + " : " + key + " is "), std::string::npos)
+            << lines[0];
+    }
+}
+
+TEST_P(Replies, MissingKeysAreThoseOfTheFrame)
+{
+    State state = initial_state(accelerator);
+    const auto fault = read_frame(accelerator, {.bytes = test::default_pair(table[0])}, state);
+    ASSERT_TRUE(fault);
+    ReplyWriter reply;
+    reply.begin(false);
+    write_fault(reply, accelerator, *fault);
+    std::string expected = "ERR MISSING_KEY";
+    std::string_view separator = " key=";
+    for (std::size_t i = 1; i < table.size(); ++i) {
+        if (!accelerator.frame[i])
+            continue;
+        expected += std::string(separator) + std::string(table[i].key);
+        separator = ",";
+    }
+    EXPECT_TRUE(reply.text().starts_with(expected + " : ")) << reply.text();
+}
+
+TEST_P(Replies, AsManyWordsAsTheAcceleratorHas)
+{
+    ReplyWriter reply;
+    reply.begin(false);
+    write_words(reply, accelerator, pack(accelerator, initial_state(accelerator)));
+    EXPECT_FALSE(reply.overflowed());
+    EXPECT_EQ(reply.text().size(), std::size_t{9} * accelerator.word_count);
 }
 
 TEST(Help, SaysNothingOfOtherWords)
