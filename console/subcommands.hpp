@@ -18,6 +18,7 @@ using Run = std::function<int()>;
 void add_encode(CLI::App& app, Run& run);
 void add_decode(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
+void add_cycles(CLI::App& app, Run& run);
 void add_export(CLI::App& app, Run& run);
 void add_receive(CLI::App& app, Run& run);
 void add_send(CLI::App& app, Run& run);
