@@ -111,10 +111,7 @@ CLI::Option_group& add_view_options(CLI::App& command, ViewOptions& options)
     what->add_option("--preset", options.preset, "a view worth looking at")->type_name("NAME");
     what->add_option("--scene", options.scene, "the defaults in this scene")->type_name("NAME");
     what->require_option(0, 1);
-    command
-        .add_option("--accelerator", options.accelerator,
-                    fmt::format("which one (default: {})", options.accelerator))
-        ->type_name("NAME");
+    add_accelerator_option(command, options.accelerator, "which one");
     command.add_option("--size", options.size, "of the picture (default: the accelerator's)")
         ->type_name("WxH");
     return *what;

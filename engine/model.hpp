@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace raymarch::engine
 {
@@ -36,6 +37,7 @@ struct PixelCost
 struct Model
 {
     const protocol::Accelerator* description;
+    std::string_view steps; ///< what PixelCost counts, in the plural
 
     /// Draws one row: `pixels` holds 3 * width bytes, `costs` width of them. A pixel that this
     /// frame does not draw keeps its bytes (an accelerator with two buffers: those of two frames
@@ -54,6 +56,11 @@ struct Model
 
     /// How many frames of the same words it takes until the picture is complete; nullptr: one.
     unsigned (*frames_of_a_still)(WordSpan words) noexcept = nullptr;
+
+    /// The rays of the frame that cost `costs`, where the hardware also draws pixels beyond the
+    /// picture; nullptr: the sum of the costs'.
+    std::uint64_t (*frame_rays)(WordSpan words, PictureSize size,
+                                std::span<const PixelCost> costs) noexcept = nullptr;
 };
 
 } // namespace raymarch::engine

@@ -17,12 +17,29 @@ namespace raymarch::engine
 {
 
 inline constexpr std::array models = {
-    Model{&protocol::marcher::description, marcher::draw_row, marcher::frame_cycles},
-    Model{&protocol::fractal::description, fractal::draw_row, fractal::frame_cycles, nullptr,
-          fractal::frames_of_a_still},
-    Model{&protocol::sphere::description, sphere::draw_row, sphere::frame_cycles, sphere::finish},
-    Model{&protocol::mandelbulb::description, mandelbulb::draw_row, mandelbulb::frame_cycles},
-    Model{&protocol::whitted::description, whitted::draw_row, whitted::frame_cycles},
+    Model{.description = &protocol::marcher::description,
+          .steps = "scene queries",
+          .draw_row = marcher::draw_row,
+          .frame_cycles = marcher::frame_cycles},
+    Model{.description = &protocol::fractal::description,
+          .steps = "scene queries",
+          .draw_row = fractal::draw_row,
+          .frame_cycles = fractal::frame_cycles,
+          .frames_of_a_still = fractal::frames_of_a_still},
+    Model{.description = &protocol::sphere::description,
+          .steps = "clock edges (prototype: runs of the ray-sphere unit)",
+          .draw_row = sphere::draw_row,
+          .frame_cycles = sphere::frame_cycles,
+          .finish = sphere::finish},
+    Model{.description = &protocol::mandelbulb::description,
+          .steps = "evaluations of the distance",
+          .draw_row = mandelbulb::draw_row,
+          .frame_cycles = mandelbulb::frame_cycles},
+    Model{.description = &protocol::whitted::description,
+          .steps = "clock cycles of the picture's pixels",
+          .draw_row = whitted::draw_row,
+          .frame_cycles = whitted::frame_cycles,
+          .frame_rays = whitted::frame_rays},
 };
 
 /// The model of a description that stands in protocol::accelerators.

@@ -21,6 +21,12 @@ std::uint64_t frame_cycles(WordSpan words, RowOf last_row, std::span<const Pixel
     return (frame_cost(latch(words), last_row.size, costs).cycles + units - 1) / units;
 }
 
+std::uint64_t frame_rays(WordSpan words, PictureSize size,
+                         std::span<const PixelCost> costs) noexcept
+{
+    return frame_cost(latch(words), size, costs).rays;
+}
+
 void draw_row(const Frame& frame, PictureSize size, unsigned y, std::span<std::uint8_t> pixels,
               std::span<PixelCost> costs) noexcept
 {
