@@ -2,10 +2,16 @@
 /// @file
 /// `raymarchctl conformance`: runs the protocol's tables against a live endpoint, be it this
 /// service, a board over its UART, or somebody's own implementation.
+///
+/// The table files are about one accelerator, the marcher. Rows about the one that is active are
+/// made from its description; then it is switched to the marcher for the files, and back. Where it
+/// cannot be switched, as on a board, its own rows are all.
+#include "conformance/description_rows.hpp"
 #include "conformance/table.hpp"
 #include "console/conformance_tables.hpp"
 #include "console/connection.hpp"
 #include "console/subcommands.hpp"
+#include "protocol/accelerators.hpp"
 
 #include <fmt/format.h>
 #include <sysexits.h>
@@ -24,6 +30,10 @@ namespace
 {
 
 constexpr std::chrono::milliseconds quiet{200};
+constexpr std::string_view active_reply = "OK accelerator=";
+
+/// The one that the table files are about.
+constexpr const protocol::Accelerator& of_the_files = protocol::marcher::description;
 
 struct Options
 {
@@ -89,8 +99,13 @@ class Runner
     {
         const auto rows = conformance::parse_table(table.text);
         if (!rows)
-            return fail(plain_error(ErrorKind::BadData,
-                                    fmt::format("{}: {}", table.name, rows.error().message)));
+            return fail(plain_error(ErrorKind::BadData, rows.error().message));
+        return run(fmt::format("{}.tsv", table.name), *rows);
+    }
+
+    /// Errors: as above. `name` and the row's line are what a failing row is called.
+    Result<void> run(std::string_view name, const std::vector<conformance::Row>& rows)
+    {
         connection_.drain(quiet); // what an earlier host left behind
         if (const auto reset = connection_.ask("RESET"); !reset)
             return fail(reset.error());
@@ -98,8 +113,8 @@ class Runner
         if (!start)
             return fail(start.error());
         before_ = words_of(start->back()).value_or(std::vector<std::uint32_t>());
-        for (const conformance::Row& row : *rows)
-            if (auto judged = judge(table.name, row); !judged)
+        for (const conformance::Row& row : rows)
+            if (auto judged = judge(name, row); !judged)
                 return judged;
         return {};
     }
@@ -108,19 +123,25 @@ class Runner
     [[nodiscard]] unsigned failed() const noexcept { return failed_; }
 
   private:
+    /// Rows that are made from a description have no line.
+    static std::string place(std::string_view name, const conformance::Row& row)
+    {
+        return row.line == 0 ? std::string(name) : fmt::format("{}:{}", name, row.line);
+    }
+
     /// Errors: InputOutput, when the other side has fallen silent.
-    Result<void> judge(std::string_view table, const conformance::Row& row)
+    Result<void> judge(std::string_view name, const conformance::Row& row)
     {
         const std::string difference = run_row(row);
         if (difference.empty()) {
             ++passed_;
             if (verbose_)
-                fmt::print("ok {}.tsv:{} {}\n", table, row.line, row.why);
+                fmt::print("ok {} {}\n", place(name, row), row.why);
             return {};
         }
         ++failed_;
-        fmt::print("FAILED {}.tsv:{} {}\n  sent     {}\n{}", table, row.line, row.why,
-                   visible(row.send), difference);
+        fmt::print("FAILED {} {}\n  sent     {}\n{}", place(name, row), row.why, visible(row.send),
+                   difference);
         connection_.drain(quiet); // the next row starts in step again
         const auto now = connection_.ask("REGS");
         if (!now)
@@ -164,24 +185,80 @@ class Runner
     unsigned failed_ = 0;
 };
 
+/// What is active on the other side. An implementation that does not know the question has the one
+/// of the files. Errors: Unavailable, for one that is not known here; InputOutput.
+Result<const protocol::Accelerator*> active_accelerator(Connection& connection)
+{
+    connection.drain(quiet); // what an earlier host left behind
+    const auto reply = connection.ask("ACCELERATOR");
+    if (!reply)
+        return fail(reply.error());
+    const std::string_view text = reply->back();
+    if (!text.starts_with(active_reply))
+        return &of_the_files;
+    const std::string_view name = text.substr(active_reply.size());
+    if (const protocol::Accelerator* found = protocol::find_accelerator(name))
+        return found;
+    return fail(plain_error(ErrorKind::Unavailable,
+                            fmt::format("'{}' is an accelerator that is not known here", name)));
+}
+
+/// False where the other side does not switch. Errors: InputOutput.
+Result<bool> switch_to(Connection& connection, const protocol::Accelerator& accelerator)
+{
+    const auto reply = connection.ask(fmt::format("ACCELERATOR {}", accelerator.name));
+    if (!reply)
+        return fail(reply.error());
+    return reply->back().starts_with(active_reply);
+}
+
+Result<void> run_tables(Runner& runner)
+{
+    for (const ConformanceTable& table : conformance_tables())
+        if (const auto result = runner.run(table); !result)
+            return fail(plain_error(result.error().kind,
+                                    fmt::format("{}: {}", table.name, result.error().message)));
+    return {};
+}
+
+/// All that the other side can be judged by; leaves its accelerator and the defaults behind.
+Result<void> run_all(Connection& connection, Runner& runner)
+{
+    const auto active = active_accelerator(connection);
+    if (!active)
+        return fail(active.error());
+    const protocol::Accelerator& own = **active;
+    if (auto result = runner.run(own.name, conformance::description_rows(own)); !result)
+        return result;
+    if (&own != &of_the_files) {
+        const auto switched = switch_to(connection, of_the_files);
+        if (!switched)
+            return fail(switched.error());
+        if (!*switched) {
+            fmt::print("the endpoint stays with {}: the tables, which are about {}, are left out\n",
+                       own.name, of_the_files.name);
+            return {};
+        }
+    }
+    if (auto result = run_tables(runner); !result)
+        return result;
+    static_cast<void>(connection.ask("RESET"));
+    if (&own != &of_the_files)
+        static_cast<void>(switch_to(connection, own));
+    return {};
+}
+
 int run_conformance(const Options& options)
 {
     auto connection = Connection::open(options.endpoint);
     if (!connection)
         return report(connection.error());
     Runner runner(*connection, options.verbose);
-    bool silent = false;
-    for (const ConformanceTable& table : conformance_tables()) {
-        if (const auto result = runner.run(table); !result) {
-            fmt::print(stderr, "raymarchctl: {}: {}\n", table.name, result.error().message);
-            silent = true;
-            break;
-        }
-    }
-    if (!silent)
-        static_cast<void>(connection->ask("RESET")); // leave the defaults behind
+    const auto result = run_all(*connection, runner);
+    if (!result)
+        fmt::print(stderr, "raymarchctl: {}\n", result.error().message);
     fmt::print("{} passed, {} failed\n", runner.passed(), runner.failed());
-    if (silent)
+    if (!result)
         return EX_UNAVAILABLE;
     return runner.failed() == 0 ? EX_OK : status_err_reply;
 }

@@ -30,7 +30,9 @@ class Encoder
 {
   public:
     explicit Encoder(const Accelerator& accelerator)
-        : accelerator_(accelerator), initial_(initial_state(accelerator)), state_(initial_)
+        : accelerator_(accelerator)
+        , initial_(initial_state(accelerator))
+        , state_(initial_)
     {}
 
     /// The reply to one line; empty for a blank one.

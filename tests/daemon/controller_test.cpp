@@ -334,8 +334,8 @@ TEST_P(EveryController, PresetsAreListedAndApplied)
         EXPECT_TRUE(reply.starts_with("OK seq=")) << preset.name << ": " << reply;
         protocol::State expected = protocol::initial_state(accelerator);
         protocol::ParameterSet given;
-        EXPECT_FALSE(protocol::read_assignments(accelerator, {.bytes = preset.settings}, expected,
-                                                given));
+        EXPECT_FALSE(
+            protocol::read_assignments(accelerator, {.bytes = preset.settings}, expected, given));
         EXPECT_EQ(service.controller.state(), expected) << preset.name;
     }
 }

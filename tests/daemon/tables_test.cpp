@@ -2,7 +2,9 @@
 /// @file
 /// Plays the table files against a session, in whole rows and byte by byte: a failing row prints
 /// its file and line.
+#include "conformance/description_rows.hpp"
 #include "conformance/table.hpp"
+#include "tests/fakes/descriptions.hpp"
 #include "tests/fakes/service.hpp"
 #include "tests/fakes/temporary_folder.hpp"
 
@@ -63,7 +65,7 @@ void expect_words(const Row& row, const protocol::Words& before, const protocol:
     }
     if (row.words_check != WordsCheck::Exact)
         return;
-    ASSERT_EQ(row.words.size(), protocol::default_accelerator.word_count);
+    ASSERT_EQ(row.words.size(), after.size());
     EXPECT_TRUE(std::equal(row.words.begin(), row.words.end(), after.begin()))
         << "the words differ: " << testing::PrintToString(after);
 }
@@ -109,6 +111,27 @@ std::string name_of(const testing::TestParamInfo<std::string>& row)
 
 INSTANTIATE_TEST_SUITE_P(Protocol, Tables,
                          testing::Values("frames.tsv", "lines.tsv", "commands.tsv"), name_of);
+
+class DescriptionRows : public test::EveryAccelerator
+{};
+INSTANTIATE_TEST_SUITE_P(Accelerators, DescriptionRows, testing::ValuesIn(protocol::accelerators),
+                         test::accelerator_name);
+
+TEST_P(DescriptionRows, AreWhatTheServiceDoes)
+{
+    test::Service service({}, accelerator);
+    service.controller.board_is_back(accelerator);
+    const std::vector<Row> rows = conformance::description_rows(accelerator);
+    ASSERT_GT(rows.size(), 4 * table.size());
+    for (const Row& row : rows) {
+        const testing::ScopedTrace trace(__FILE__, __LINE__, row.send + row.why);
+        const protocol::Words before = service.board.words;
+        expect_replies(row, play(service, row, whole));
+        expect_words(row, before, service.board.words);
+        ASSERT_FALSE(HasFailure());
+    }
+    EXPECT_EQ(service.controller.state(), protocol::initial_state(accelerator));
+}
 
 } // namespace
 } // namespace raymarch

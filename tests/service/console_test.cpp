@@ -163,6 +163,48 @@ TEST(Tool, ConformanceOverTerminalAndSocket)
     }
 }
 
+TEST(Tool, ConformanceSwitchesAnEmulatedAcceleratorAndBack)
+{
+    const TemporaryFolder folder;
+    const Service service(folder, {"--registers", "emulated", "--accelerator", "fractal",
+                                   "--emulated-size", "16x16"});
+    ASSERT_TRUE(service.ready());
+    const Finished result = run_tool(folder, {"conformance", "--socket", service.control()});
+    EXPECT_EQ(result.status, EX_OK) << result.output << result.errors;
+    EXPECT_NE(result.output.find(" passed, 0 failed\n"), std::string::npos) << result.output;
+    EXPECT_EQ(result.output.find("left out"), std::string::npos) << result.output;
+    EXPECT_EQ(service.status("accelerator"), "fractal");
+}
+
+TEST(Tool, ConformanceOfABoardThatHasAnotherAccelerator)
+{
+    const TemporaryFolder folder;
+    const Service service(folder, {"--accelerator", "mandelbulb"});
+    ASSERT_TRUE(service.ready());
+    const Finished result = run_tool(folder, {"conformance", "--socket", service.control()});
+    EXPECT_EQ(result.status, EX_OK) << result.output << result.errors;
+    EXPECT_NE(result.output.find("stays with mandelbulb"), std::string::npos) << result.output;
+    EXPECT_NE(result.output.find(" passed, 0 failed\n"), std::string::npos) << result.output;
+    EXPECT_EQ(service.status("accelerator"), "mandelbulb");
+}
+
+/// Rows of tables that a frame leaves out are the defaults.
+TEST(Tool, AFrameWithoutItsTablesIsTheDefaultScene)
+{
+    const TemporaryFolder folder;
+    const std::vector<std::string> whole = {
+        "render", "--accelerator", "sphere", "--size", "40x30", "-o", "-"};
+    auto by_line = whole;
+    by_line.insert(by_line.end(),
+                   {"--line", "MODEL=rtl,FAULTS=kept,TINT=yellow,N=1,M=1,CUTOFF=2,D=75,K=200,"
+                              "EX=320,EY=240,EZ=0,F=1000"});
+    const Finished first = run_tool(folder, whole);
+    const Finished second = run_tool(folder, by_line);
+    EXPECT_EQ(first.status, EX_OK) << first.errors;
+    EXPECT_EQ(second.status, EX_OK) << second.errors;
+    EXPECT_EQ(first.output, second.output);
+}
+
 /// A service that is set up differently is an implementation that differs: it is named, row by row.
 TEST(Tool, ConformanceFindsADifference)
 {
