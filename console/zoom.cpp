@@ -57,10 +57,17 @@ struct Column
     std::string_view settings;
     engine::Model model;
 };
+template <typename Real>
+constexpr engine::Model in_floating_point()
+{
+    engine::Model model = engine::model_of(table::description);
+    model.draw_row = draw_row_in<Real>;
+    return model;
+}
 constexpr engine::Model exact = engine::model_of(table::description);
 constexpr std::array columns = {
-    Column{"float", "", {&table::description, draw_row_in<float>, nullptr}},
-    Column{"double", "", {&table::description, draw_row_in<double>, nullptr}},
+    Column{"float", "", in_floating_point<float>()},
+    Column{"double", "", in_floating_point<double>()},
     Column{"N=32", "N=32,FORM=q8_57", exact},
     Column{"N=57", "N=57,FORM=q8_57", exact},
     Column{"N=64", "N=64,FORM=q8_64", exact},
