@@ -232,8 +232,7 @@ TEST_F(Export, AViewIsExportedAsItIsRendered)
 {
     using Arguments = std::vector<std::string>;
     for (const Arguments& view : {
-             Arguments{"--preset", "start"},
-             Arguments{"--set", "SCENE=maze,DITHER=on,CHECKER=on", "--accelerator", "fractal"},
+             Arguments{"--scene", "cube"},
              Arguments{"--accelerator", "sphere", "--size", "400x300", "--set", "TINT=grey"},
          }) {
         Arguments arguments = {"export", "--pcap", capture, "--threads", "2"};
@@ -242,7 +241,7 @@ TEST_F(Export, AViewIsExportedAsItIsRendered)
         ASSERT_EQ(exported.status, EX_OK) << exported.errors;
         ASSERT_EQ(receive().status, EX_OK);
         Arguments render = {"render", "-o", "-"};
-        if (view[0] == "--preset") // the default of export alone
+        if (view[0] != "--accelerator") // the default of export alone
             render.insert(render.end(), {"--accelerator", "fractal"});
         render.insert(render.end(), view.begin(), view.end());
         const Finished rendered = run_tool(folder, render);
@@ -264,7 +263,7 @@ TEST_F(Export, AViewThatTheFormatDoesNotHold)
                                 "accelerator fractal draws with COLOUR=off\n";
     EXPECT_EQ(why({"--accelerator", "marcher", "--preset", "cube"}, EX_DATAERR),
               "raymarchctl: the picture is 640x480" + allowed);
-    const std::string coloured = why({"--preset", "maze"}, EX_DATAERR);
+    const std::string coloured = why({"--preset", "cube_side"}, EX_DATAERR);
     EXPECT_NE(coloured.find(", not grey" + allowed), std::string::npos) << coloured;
     EXPECT_NE(
         why({"--preset", "lattice"}, EX_USAGE).find("'lattice' is no preset; there are start"),

@@ -49,6 +49,17 @@ std::string as_ppm(const engine::Image& image)
            "\n255\n" + std::string(image.rgb.begin(), image.rgb.end());
 }
 
+/// The defaults with changes in the syntax of SET; none where there are none.
+protocol::State changed(const protocol::Accelerator& accelerator, const std::string& settings)
+{
+    protocol::State state = protocol::initial_state(accelerator);
+    protocol::ParameterSet given;
+    if (settings.empty())
+        return state;
+    EXPECT_FALSE(protocol::read_assignments(accelerator, {.bytes = settings}, state, given));
+    return state;
+}
+
 Names names_in(const std::string& folder)
 {
     Names names;
@@ -103,11 +114,20 @@ TEST_F(Film, AGifOfEachAccelerator)
 TEST_F(Film, EachFrameIsThePictureOfItsState)
 {
     for (const protocol::Accelerator* accelerator : protocol::accelerators) {
-        const Finished result = film(accelerator->name, "f.ppm");
+        // A small picture of the sphere's screen is its upper left corner.
+        const std::string settings = accelerator == &protocol::sphere::description
+                                         ? "S1.X=10,S1.Y=9,L1.S=100000,MODEL=c"
+                                         : "";
+        Arguments more = {"--frames", "3", "--size", "24x18"};
+        if (!settings.empty())
+            more.insert(more.end(), {"--set", settings});
+        const Finished result = film(accelerator->name, "f.ppm", more);
         ASSERT_EQ(result.status, EX_OK) << accelerator->name << result.errors;
         EXPECT_EQ(names_in(films), (Names{"f_0000.ppm", "f_0001.ppm", "f_0002.ppm"}));
-        protocol::State state = protocol::initial_state(*accelerator);
+        protocol::State state = changed(*accelerator, settings);
         const auto mover = motion::mover_of(*accelerator);
+        const std::string first = frame(0);
+        EXPECT_GT(std::set<char>(first.begin() + 13, first.end()).size(), 1U) << accelerator->name;
         for (int i = 0; i < 3; ++i) {
             Arguments render = {"render", "--accelerator", std::string(accelerator->name),
                                 "--size", "24x18",         "-o",
@@ -150,9 +170,7 @@ TEST_F(Film, ACheckerboardMixesAFrameWithTheOneBeforeTheLast)
     ASSERT_EQ(result.status, EX_OK) << result.errors;
 
     const protocol::Accelerator& accelerator = protocol::fractal::description;
-    protocol::State state = protocol::initial_state(accelerator);
-    protocol::ParameterSet given;
-    ASSERT_FALSE(protocol::read_assignments(accelerator, {.bytes = settings}, state, given));
+    protocol::State state = changed(accelerator, settings);
     const auto mover = motion::mover_of(accelerator);
     engine::Image even({24, 18});
     engine::Image odd({24, 18});
