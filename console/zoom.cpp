@@ -171,8 +171,8 @@ void add_zoom(CLI::App& app, Run& run)
         ->expected(2);
     command
         ->add_option("--levels", options->levels,
-                     "zoom levels: neighbouring rays of a 720-row picture are 2^-Z of their length "
-                     "apart at level Z + 9.49")
+                     "zoom levels: at level Z neighbouring rays of a picture of 720 rows are 2^-Z "
+                     "apart at the surface; default 12,21,26")
         ->type_name("Z,...")
         ->delimiter(',')
         ->check(CLI::Range(min_zoom, max_zoom));

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The main job, shown: text frames through a terminal to pictures of the emulated accelerator.
+"""The main job, shown: text through a terminal to pictures of the emulated accelerators.
 
 Starts the real service with an emulated register block and a pseudo-terminal, sends the frames that
-the original user interface sends, prints the register words, and leaves one picture a scene. Each is
-compared with the picture that `raymarchctl render` draws from the same frame.
+the original user interface sends, prints the register words, and leaves one picture a scene; then
+switches to each of the other accelerators and leaves a picture of it. Each picture is compared with
+the one that `raymarchctl render` draws of the same. A contact sheet of all ends it.
 """
 
 import argparse
@@ -58,6 +59,21 @@ def frame(view: View) -> str:
     return ",".join(pairs) + f",OBJ={view.scene}"
 
 
+class Other(NamedTuple):
+    """A picture of another accelerator; without a preset its defaults."""
+
+    accelerator: str
+    preset: str
+
+
+OTHERS = (
+    Other("fractal", "maze"),
+    Other("sphere", "trio"),
+    Other("whitted", "mirrors"),
+    Other("mandelbulb", ""),  # seconds a picture: the defaults, which are drawn when it is switched to
+)
+
+
 class Service:
     """raymarchd with everything it touches below one folder."""
 
@@ -91,7 +107,7 @@ class Service:
 
     def wait_for_frames(self, count: int) -> None:
         """Until so many frames are finished, and so the preview is written."""
-        for _ in range(600):
+        for _ in range(2400):
             if self.terminal.is_symlink() and self.frames() >= count:
                 return
             if self.process.poll() is not None:
@@ -114,13 +130,47 @@ def draw(service: Service, view: View, out: Path) -> bool:
     picture = out / f"{view.name}.png"
     shutil.copyfile(service.preview, picture)
 
-    check = out / "check.png"
-    subprocess.run([service.control, "render", "--line", line, "-o", check], check=True)
+    print(f"{view.name}\n  sent  {line}\n  reply {accepted}\n  words {registers.removeprefix('OK ')}")
+    return is_what_render_draws(service, picture, "--line", line)
+
+
+def draw_other(service: Service, other: Other, out: Path) -> bool:
+    """Switches to another accelerator and keeps its picture; whether it is the one that render draws."""
+    lines = [f"ACCELERATOR {other.accelerator}"]
+    replies = service.ask(*lines)
+    service.wait_for_frames(1)
+    arguments = ["--accelerator", other.accelerator]
+    if other.preset:
+        before = service.frames()
+        lines.append(f"PRESET {other.preset}")
+        replies += service.ask(lines[-1])
+        service.wait_for_frames(before + 1)
+        arguments += ["--preset", other.preset]
+    picture = out / f"{other.accelerator}.png"
+    shutil.copyfile(service.preview, picture)
+    print(f"{other.accelerator}")
+    for line, reply in zip(lines, replies):
+        print(f"  sent  {line}\n  reply {reply}")
+    return is_what_render_draws(service, picture, *arguments)
+
+
+def is_what_render_draws(service: Service, picture: Path, *arguments: str) -> bool:
+    check = picture.with_name("check.png")
+    subprocess.run([service.control, "render", *arguments, "-o", check], check=True)
     same = check.read_bytes() == picture.read_bytes()
     check.unlink()
-    print(f"{view.name}\n  sent  {line}\n  reply {accepted}\n  words {registers.removeprefix('OK ')}")
     print(f"  {picture}: {'identical to' if same else 'DIFFERS from'} raymarchctl render")
     return same
+
+
+def draw_sheet(service: Service, out: Path) -> None:
+    """All accelerators on one contact sheet."""
+    views = [f"marcher:{preset}" for preset in ("sphere", "cube", "lattice", "tunnel")]
+    views += ["fractal:maze", "fractal:menger_crossing", "fractal:cubes_street", "sphere:trio"]
+    views += ["whitted:mirrors", "whitted:plate", "whitted:image2_room", "mandelbulb"]
+    sheet = out / "sheet.png"
+    subprocess.run([service.control, "sheet", *views, "--columns", "4", "-o", sheet], check=True)
+    print(f"all\n  {sheet}: a contact sheet, by raymarchctl sheet")
 
 
 def main() -> int:
@@ -133,6 +183,8 @@ def main() -> int:
     try:
         service.wait_for_frames(1)
         same = [draw(service, view, arguments.out) for view in VIEWS]
+        same += [draw_other(service, other, arguments.out) for other in OTHERS]
+        draw_sheet(service, arguments.out)
     finally:
         service.stop()
     service.preview.unlink(missing_ok=True)
