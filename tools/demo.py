@@ -146,9 +146,10 @@ def draw_other(service: Service, other: Other, out: Path) -> bool:
         replies += service.ask(lines[-1])
         service.wait_for_frames(before + 1)
         arguments += ["--preset", other.preset]
-    picture = out / f"{other.accelerator}.png"
+    name = f"{other.accelerator}_{other.preset}" if other.preset else other.accelerator
+    picture = out / f"{name}.png"
     shutil.copyfile(service.preview, picture)
-    print(f"{other.accelerator}")
+    print(name)
     for line, reply in zip(lines, replies):
         print(f"  sent  {line}\n  reply {reply}")
     return is_what_render_draws(service, picture, *arguments)
