@@ -41,7 +41,7 @@ inline constexpr std::array fractal_figures = {
     FractalFigure{"maze",   { 9, 17, 26}, {17,  32,  49}},
 };
 
-/// Source 002, sections "RTCore", "Ray-Sphere Intersect", "Divide". `clocks` are those of a pixel
+/// Source 002, sections "RTCore Setup", "Ray-Sphere Intersection", "Division". `clocks` are those of a pixel
 /// that it names itself; 0: it names none.
 struct SphereFigure
 {
@@ -57,7 +57,7 @@ inline constexpr std::array sphere_figures = {
     SphereFigure{"the same, optimised",                             0, 5},
 };
 
-/// Source 003, Tables I and II, sections V.B and V.C; at 100 MHz. `preset` is a view of ours.
+/// Source 003, Tables I and II and the sections of the two boards; at 100 MHz.
 struct MandelbulbFigure
 {
     std::string_view board;

@@ -108,7 +108,6 @@ World enter(const protocol::State& state) noexcept
     world.forward = point(table::FX, table::FY, table::FZ);
     world.scene = static_cast<engine::fractal::Scene>(state.codes[table::SCENE]);
     world.collision = static_cast<Collision>(state.codes[table::COLLISION]);
-    world.speed = static_cast<std::uint8_t>(state.codes[table::SPEED]);
     world.hue = static_cast<std::uint8_t>(state.codes[table::HUE]);
     return world;
 }

@@ -28,7 +28,6 @@ struct World
     engine::fractal::Point forward{{}, {}, engine::fractal::one}; ///< y never changes
     engine::fractal::Scene scene = engine::fractal::Scene::Menger;
     Collision collision = Collision::Faithful;
-    std::uint8_t speed = 0; ///< 0, the fastest, to 3
     std::uint8_t hue = 0;
     bool odd = false;     ///< ticks alternate: even ones walk, odd ones strafe
     bool in_wall = false; ///< the last check found `wanted` in a wall
@@ -44,12 +43,6 @@ struct World
 
 /// One tick and its check; Animate moves the hue on by one.
 [[nodiscard]] World step(const World& world, Inputs inputs) noexcept;
-
-/// How many clocks of 40 MHz the hardware takes from one tick to the next.
-[[nodiscard]] constexpr std::uint32_t clocks_of_a_step(const World& world) noexcept
-{
-    return (world.speed + 1U) * 65'536 + 1;
-}
 
 /// Begins to move where the state says, with an even tick.
 [[nodiscard]] World enter(const protocol::State& state) noexcept;

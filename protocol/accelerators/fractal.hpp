@@ -13,7 +13,6 @@ inline constexpr Format word_format = signed_q(6, 16);
 inline constexpr Format scene_format = unsigned_q(2, 0);
 inline constexpr Format switch_format = unsigned_q(1, 0);
 inline constexpr Format hue_format = unsigned_q(8, 0);
-inline constexpr Format speed_format = unsigned_q(2, 0);
 
 inline constexpr std::array<std::string_view, 4> scenes = {"menger", "cubes", "cube", "maze"};
 inline constexpr std::array<std::string_view, 2> switches = {"off", "on"};
@@ -33,7 +32,6 @@ enum Index : ParameterIndex {
     CHECKER,
     COLOUR,
     HUE,
-    SPEED,
     COLLISION
 };
 
@@ -52,7 +50,6 @@ inline constexpr auto parameters = complete(std::array{
     Parameter{.key = "CHECKER", .meaning = "every other pixel a frame", .unit = "", .group = "picture", .format = switch_format, .min = "", .max = "", .initial = "off", .slices = {{{6, 6, 6}}}, .choices = switches},
     Parameter{.key = "COLOUR", .meaning = "greys shown in a hue", .unit = "", .group = "picture", .format = switch_format, .min = "", .max = "", .initial = "off", .slices = {{{6, 7, 7}}}, .choices = switches},
     Parameter{.key = "HUE", .meaning = "hue", .unit = "1/256 turn", .group = "picture", .format = hue_format, .min = "0", .max = "255", .initial = "0", .slices = {{{6, 15, 8}}}},
-    Parameter{.key = "SPEED", .meaning = "pause between steps (0 is the fastest)", .unit = "", .group = "walk", .format = speed_format, .min = "0", .max = "3", .initial = "0", .slice_count = 0},
     Parameter{.key = "COLLISION", .meaning = "walls as leaky as the hardware's, or closed", .unit = "", .group = "walk", .format = switch_format, .min = "", .max = "", .initial = "faithful", .slice_count = 0, .choices = collisions},
 });
 

@@ -231,12 +231,10 @@ TEST(FractalMotion, LeaveWritesWhatMoved)
     protocol::State state = protocol::initial_state(table::description);
     state.codes[table::FY] = -5;
     state.codes[table::SCENE] = 3;
-    state.codes[table::SPEED] = 2;
     state.codes[table::COLLISION] = 1;
     const World world = enter(state);
     EXPECT_EQ(world.scene, Scene::Maze);
     EXPECT_EQ(world.collision, Collision::Closed);
-    EXPECT_EQ(world.speed, 2);
     const World moved =
         step(world, Inputs(Input::Forward) | Input::TurnRight | Input::Down | Input::Animate);
     protocol::State expected = state;
@@ -247,12 +245,6 @@ TEST(FractalMotion, LeaveWritesWhatMoved)
     expected.codes[table::HUE] = 1;
     leave(moved, state);
     EXPECT_EQ(state, expected);
-}
-
-TEST(FractalMotion, AStepOfTheHardware)
-{
-    EXPECT_EQ(clocks_of_a_step({}), 65'537U);
-    EXPECT_EQ(clocks_of_a_step({.speed = 3}), 262'145U);
 }
 
 // A tick is a linear map, a turn by atan(655 / 65532) that shortens by 1.1e-5, and two floored

@@ -106,6 +106,117 @@ TEST(Tool, RenderRefusesBeforeItDraws)
     EXPECT_EQ(run_tool(folder, {"render", "-o", folder / "no/such/folder.ppm"}).status, EX_IOERR);
 }
 
+/// The value of `key` in lines of keys and values.
+std::string value_of(const std::string& text, const std::string& key)
+{
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with(key + " "))
+            return line.substr(line.find_first_not_of(' ', key.size()));
+    return {};
+}
+
+TEST(Tool, CyclesOfASceneAsTheHardwareTakes)
+{
+    const TemporaryFolder folder;
+    const Finished cube =
+        run_tool(folder, {"cycles", "--accelerator", "fractal", "--scene", "cube", "--units", "4"});
+    EXPECT_EQ(cube.status, EX_OK) << cube.errors;
+    EXPECT_EQ(value_of(cube.output, "size"), "400x300");
+    EXPECT_EQ(value_of(cube.output, "rays"), "120000");
+    EXPECT_EQ(value_of(cube.output, "steps"), "966576 scene queries");
+    EXPECT_EQ(value_of(cube.output, "cycles"), "1114020");
+    EXPECT_EQ(value_of(cube.output, "fps"), "35.91");
+    const Finished slow = run_tool(folder, {"cycles", "--accelerator", "fractal", "--scene", "cube",
+                                            "--units", "4", "--clock", "4000000"});
+    EXPECT_EQ(value_of(slow.output, "fps"), "3.591");
+}
+
+/// The two halves of a checkerboard differ: the mean of a still's frames, or one frame.
+TEST(Tool, CyclesOfACheckerboardAreAMean)
+{
+    const TemporaryFolder folder;
+    const std::vector<std::string> view = {"cycles", "--accelerator", "fractal",   "--units",
+                                           "4",      "--set",         "CHECKER=on"};
+    const Finished still = run_tool(folder, view);
+    EXPECT_EQ(value_of(still.output, "frame"), "0 to 3, the mean");
+    EXPECT_EQ(value_of(still.output, "rays"), "60000");
+    EXPECT_EQ(value_of(still.output, "cycles"), "1009945.5");
+    std::uint64_t sum = 0;
+    for (const std::string number : {"0", "1"}) {
+        std::vector<std::string> one = view;
+        one.insert(one.end(), {"--frame", number});
+        const Finished frame = run_tool(folder, one);
+        EXPECT_EQ(value_of(frame.output, "frame"), number);
+        sum += std::stoull(value_of(frame.output, "cycles"));
+    }
+    EXPECT_EQ(sum, 2 * 1009945U + 1);
+}
+
+/// The machine draws a column and a row that its picture does not show (source 004, Fig. 12).
+TEST(Tool, CyclesCountRaysBeyondThePicture)
+{
+    const TemporaryFolder folder;
+    const Finished frame =
+        run_tool(folder, {"cycles", "--accelerator", "whitted", "--size", "320x240", "--set",
+                          "PROFILE=measured,LR=3,REFLECTIONS=0,PLANES=off"});
+    EXPECT_EQ(value_of(frame.output, "rays"), "108422");
+    EXPECT_EQ(value_of(frame.output, "cycles"), "4678168");
+    EXPECT_EQ(value_of(frame.output, "fps"), "5.344");
+}
+
+TEST(Tool, CyclesBeyondThirtyTwoBits)
+{
+    const TemporaryFolder folder;
+    const Finished frame =
+        run_tool(folder, {"cycles", "--accelerator", "sphere", "--size", "1920x1080", "--set",
+                          "S1.Z=1050,S1.R=1000,L1.Z=40000"});
+    EXPECT_EQ(frame.status, EX_OK) << frame.errors;
+    EXPECT_GT(std::stoull(value_of(frame.output, "cycles")), std::uint64_t{UINT32_MAX});
+    EXPECT_EQ(value_of(frame.output, "steps").substr(0, value_of(frame.output, "cycles").size()),
+              value_of(frame.output, "cycles"));
+}
+
+TEST(Tool, CyclesOfNothingHaveNoSpeed)
+{
+    const TemporaryFolder folder;
+    const Finished frame = run_tool(
+        folder, {"cycles", "--accelerator", "sphere", "--size", "8x8", "--set", "MODEL=c,N=0"});
+    EXPECT_EQ(value_of(frame.output, "cycles"), "0");
+    EXPECT_EQ(value_of(frame.output, "fps"), "-");
+}
+
+TEST(Tool, CyclesRefusesWhatItCannotCount)
+{
+    const TemporaryFolder folder;
+    const auto status = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "cycles");
+        return run_tool(folder, arguments).status;
+    };
+    EXPECT_EQ(status({"--accelerator", "nosuch"}), EX_USAGE);
+    EXPECT_EQ(status({"--scene", "nosuch"}), EX_USAGE);
+    EXPECT_EQ(status({"--accelerator", "whitted", "--scene", "room"}), EX_USAGE);
+    EXPECT_EQ(status({"--scene", "cube", "--preset", "cube"}), EX_USAGE);
+    EXPECT_EQ(status({"--units", "0"}), EX_USAGE);
+    EXPECT_EQ(status({"--units", "256"}), EX_USAGE);
+    EXPECT_EQ(status({"--clock", "0"}), EX_USAGE);
+    EXPECT_EQ(status({"--frame", "-1"}), EX_USAGE);
+    EXPECT_EQ(status({"--size", "0x0"}), EX_USAGE);
+    EXPECT_EQ(status({"--table", "--set", "OBJ=cube"}), EX_USAGE);
+    EXPECT_EQ(status({"--line", "FX=2"}), EX_DATAERR);
+    EXPECT_EQ(status({"--set", "OBJ=nosuch"}), EX_DATAERR);
+}
+
+/// Of one accelerator: docs/cycles.md is held to the rest by tests/docs/check_cycles.py.
+TEST(Tool, CyclesTableIsMarkdown)
+{
+    const TemporaryFolder folder;
+    const Finished table = run_tool(folder, {"cycles", "--table", "--accelerator", "sphere"});
+    EXPECT_EQ(table.status, EX_OK) << table.errors;
+    EXPECT_NE(table.output.find("| misses | 1008 | 0.3229 |\n"), std::string::npos);
+    EXPECT_EQ(table.output.find("queries a ray"), std::string::npos) << "another accelerator's";
+}
+
 TEST(Tool, SendsAndTellsByItsStatus)
 {
     const TemporaryFolder folder;

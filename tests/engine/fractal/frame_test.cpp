@@ -64,7 +64,6 @@ TEST(FractalFrame, WhereTheBitsStand)
 TEST(FractalFrame, TheWalkIsInNoWord)
 {
     protocol::State state = initial();
-    state.codes[table::SPEED] = 3;
     state.codes[table::COLLISION] = 1;
     const protocol::Words walking = words_of(state);
     const protocol::Words still = words_of(initial());
