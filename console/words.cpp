@@ -35,10 +35,9 @@ Result<protocol::Words> parse_words(const protocol::Accelerator& accelerator,
 
 void add_accelerator_option(CLI::App& command, std::string& name, const std::string& meaning)
 {
-    name = protocol::default_accelerator.name;
-    command
-        .add_option("--accelerator", name,
-                    fmt::format("{} (default: {})", meaning, protocol::default_accelerator.name))
+    if (name.empty())
+        name = protocol::default_accelerator.name;
+    command.add_option("--accelerator", name, fmt::format("{} (default: {})", meaning, name))
         ->type_name("NAME");
 }
 

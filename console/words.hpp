@@ -19,7 +19,8 @@ namespace raymarch::console
 [[nodiscard]] Result<protocol::Words> parse_words(const protocol::Accelerator& accelerator,
                                                   const std::vector<std::string>& texts);
 
-/// Adds `--accelerator NAME`, which goes to `name`; `name` becomes the default one's.
+/// Adds `--accelerator NAME`, which goes to `name`. What is in `name`
+/// is the default; where nothing is, the default accelerator.
 void add_accelerator_option(CLI::App& command, std::string& name, const std::string& meaning);
 
 /// By name. Errors: Usage, naming what there is.

@@ -96,7 +96,8 @@ TEST_P(Texts, TheEndsOfARangeAreWrittenAsTheTableWritesThem)
         EXPECT_EQ(to_text(parameter, parameter.min_scaled).view(), parameter.min) << parameter.key;
         if (parameter.max_scaled > parameter.largest_code) // no code has that value
             continue;
-        const std::string_view text = to_text(parameter, parameter.max_scaled).view();
+        const ValueText written = to_text(parameter, parameter.max_scaled);
+        const std::string_view text = written.view();
         EXPECT_LE(text.size(), parameter.max.size()) << parameter.key;
         EXPECT_TRUE(parameter.tail_bits > 0 || quantize(parameter, text) == parameter.max_scaled)
             << parameter.key << '=' << text;
