@@ -32,9 +32,11 @@ void on_bus_fault(int number, siginfo_t* info, void* context)
         const std::uintptr_t base = place.base;
         if (base == 0 || at < base || at >= base + place.length)
             continue;
+        // An atomic number, as a handler may read it. NOLINTBEGIN(performance-no-int-to-ptr)
         void* const zeros =
             ::mmap(reinterpret_cast<void*>(base), place.length, PROT_READ | PROT_WRITE,
                    MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);
+        // NOLINTEND(performance-no-int-to-ptr)
         if (zeros == MAP_FAILED)
             break;
         place.faulted = true;

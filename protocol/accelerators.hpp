@@ -14,11 +14,8 @@ namespace raymarch::protocol
 {
 
 inline constexpr std::array accelerators = {
-    &marcher::description,
-    &fractal::description,
-    &sphere::description,
-    &mandelbulb::description,
-    &whitted::description,
+    &marcher::description,    &fractal::description, &sphere::description,
+    &mandelbulb::description, &whitted::description,
 };
 
 /// What is active where neither the hardware nor the user says otherwise.

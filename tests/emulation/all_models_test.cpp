@@ -93,9 +93,7 @@ TEST_P(AllModels, TheFirstPresetIsDrawnToTheEnd)
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, AllModels, testing::ValuesIn(engine::models),
-                         [](const auto& row) {
-                             return std::string(row.param.description->name);
-                         });
+                         [](const auto& row) { return std::string(row.param.description->name); });
 
 TEST(Checkerboard, IsCompleteAfterFourFrames)
 {
