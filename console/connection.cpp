@@ -135,12 +135,12 @@ void Connection::drain(std::chrono::milliseconds quiet)
 
 Result<std::string> ask_and_print(Connection& connection, std::string_view line)
 {
-    auto replies = connection.ask(line);
+    const auto replies = connection.ask(line);
     if (!replies)
         return fail(replies.error());
     for (const std::string& reply : *replies)
         fmt::print("{}\n", reply);
-    return std::move(replies->back());
+    return replies->back();
 }
 
 } // namespace raymarch::console

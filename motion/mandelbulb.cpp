@@ -21,16 +21,20 @@ using namespace engine::mandelbulb;
 using Wide = Q64<Int128>;
 using Vector = engine::Vec3<double>;
 
+template <typename Format>
+Int128 distance_in(const Position& position, const Arithmetic& arithmetic) noexcept
+{
+    return Int128(estimate<Format>(position_in<Format>(position), arithmetic).distance)
+           << (position_bits - Format::fraction_bits);
+}
+
 /// The distance of a position as a frame's arithmetic estimates it, Q8.64.
 Int128 distance_at(const Frame& frame, const Position& position) noexcept
 {
     Arithmetic with = frame.arithmetic;
     with.scale = 0;
-    const auto in = [&]<typename Format>(Format) {
-        return Int128(estimate<Format>(position_in<Format>(position), with).distance)
-               << (position_bits - Format::fraction_bits);
-    };
-    return frame.form == Form::Q8_57 ? in(Q57<Int128>{}) : in(Wide{});
+    return frame.form == Form::Q8_57 ? distance_in<Q57<Int128>>(position, with)
+                                     : distance_in<Wide>(position, with);
 }
 
 /// log2(720 / distance), rounded up.
