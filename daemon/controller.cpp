@@ -318,8 +318,13 @@ void Controller::animate()
     movement_.move(*accelerator_, state, {.inputs = motion::Input::Animate});
     if (state == state_)
         return;
-    if (restore(state))
-        storage_.changed(*accelerator_, state);
+    const Words words = pack(*accelerator_, state);
+    const Applied applied = board_.apply(words);
+    if (applied == Applied::Absent || applied == Applied::Failed)
+        return; // as a line would be refused: the next step begins where this one did
+    state_ = state;
+    words_ = words;
+    storage_.changed(*accelerator_, state);
 }
 
 Controller::Outcome Controller::echo(Text words, SessionSettings& session)

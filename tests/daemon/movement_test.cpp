@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace raymarch::daemon
@@ -213,6 +214,21 @@ TEST_P(EveryMovement, TheAnimationIsPacedAndApplied)
         EXPECT_EQ(service.storage.changes.back(), service.controller.state());
     }
     EXPECT_EQ(service.controller.applied(), 0U); // counts what hosts sent
+}
+
+TEST_P(EveryMovement, AStepThatTheBoardDoesNotTakeIsNotMade)
+{
+    const protocol::State before = service.controller.state();
+    for (const Applied refused : {Applied::Absent, Applied::Failed}) {
+        service.board.outcome = refused;
+        service.controller.animate();
+        EXPECT_EQ(service.controller.state(), before);
+        EXPECT_GT(std::exchange(service.board.calls, 0), 0); // it was tried
+    }
+    EXPECT_TRUE(service.storage.changes.empty());
+    service.board.outcome = Applied::Written;
+    service.controller.animate();
+    EXPECT_NE(service.controller.state(), before);
 }
 
 TEST_P(EveryMovement, GoesOnAfterASwitchAndBack)
