@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// `raymarchctl render`: the picture that the accelerator draws for a frame, words or a preset.
+#include "console/drawing.hpp"
 #include "console/picture_output.hpp"
 #include "console/subcommands.hpp"
 #include "console/view_options.hpp"
 #include "console/words.hpp"
-#include "engine/draw.hpp"
 #include "engine/models.hpp"
 #include "pictures/picture_file.hpp"
 
@@ -22,8 +22,7 @@ namespace
 struct Options
 {
     ViewOptions view;
-    unsigned threads = 0;
-    bool reference = false;
+    DrawOptions drawing;
     std::string output;
 };
 
@@ -41,7 +40,9 @@ Result<void> render(const Options& options)
     if (!words)
         return fail(words.error());
     engine::Image image(*size);
-    engine::draw_still(engine::model_of(**accelerator), *words, image, options.threads);
+    const engine::Model& model = engine::model_of(**accelerator);
+    if (auto drawn = draw_picture(model, *words, options.drawing, image); !drawn)
+        return drawn;
     return write_picture(image, options.output);
 }
 
@@ -53,12 +54,7 @@ void add_render(CLI::App& app, Run& run)
         app.add_subcommand("render", "the picture that the accelerator draws, by its exact model");
     const auto options = std::make_shared<Options>();
     add_view_options(*command, options->view);
-    command->add_option("--threads", options->threads, "0 is one for each processor")
-        ->check(CLI::Range(0, 256))
-        ->type_name("N");
-    command->add_flag(
-        "--reference", options->reference,
-        "with the plain scalar model that defines the bits (at present the only one)");
+    add_draw_options(*command, options->drawing);
     command
         ->add_option("-o,--output", options->output,
                      "where to, in the format of its ending: png, jpg, ppm, tga; - is ppm on "

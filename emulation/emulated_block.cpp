@@ -10,6 +10,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace raymarch::emulation
 {
@@ -189,7 +190,9 @@ bool EmulatedBlock::frame_can_start() const
 
 void EmulatedBlock::work(const std::stop_token& stop)
 {
+    engine::Painter painter(options_.threads);
     std::array buffers = {engine::Image(options_.size), engine::Image(options_.size)};
+    std::vector<engine::PixelCost> costs(buffers[0].rgb.size() / engine::bytes_per_pixel);
     protocol::Words latched;
     std::unique_lock lock(mutex_);
     while (wake_.wait(lock, stop, [this] { return frame_can_start(); })) {
@@ -204,7 +207,8 @@ void EmulatedBlock::work(const std::stop_token& stop)
         engine::Image& image = buffers[number % buffers.size()];
 
         lock.unlock();
-        const auto costs = engine::draw(model_, latched, image, options_.threads, number, stop);
+        engine::draw_frame(painter, {model_, latched, engine::kernel_of(model_)},
+                           engine::whole(options_.size, number), {image.rgb, costs}, stop);
         if (stop.stop_requested())
             return;
         const std::uint64_t cycles =
