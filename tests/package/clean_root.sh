@@ -1,0 +1,47 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Makes the packages of a build folder and tries their life in a fresh Debian: install, upgrade,
+# remove, purge.
+#
+#   clean_root.sh BUILD [CMAKE'S cpack]
+#
+# Status 77, with the reason, where that cannot be done.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+build=$1
+cpack=${2:-cpack}
+for tool in mmdebstrap dpkg-shlibdeps dpkg-deb; do
+    command -v "$tool" >/dev/null || {
+        echo "skipped: there is no $tool here"
+        exit 77
+    }
+done
+mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' |
+    grep -v security | sort -u | head -n 1)
+apt-get download --print-uris -q dpkg >/dev/null 2>&1 || {
+    echo "skipped: apt has no lists of packages here"
+    exit 77
+}
+work=$(mktemp -d)
+trap 'rm -r "$work"' EXIT
+chmod 755 "$work" # mmdebstrap may be another user inside
+
+"$cpack" --config "$build/CPackConfig.cmake" -B "$work/made" >"$work/cpack.log" || {
+    cat "$work/cpack.log"
+    exit 1
+}
+service=$(ls "$work"/made/raymarchd_*.deb)
+mkdir "$work/packages"
+cp "$work"/made/*.deb "$here/life.sh" "$work/packages"
+# The next version is this one with another number.
+dpkg-deb -R "$service" "$work/next"
+sed -i 's/^Version: .*/&+next/' "$work/next/DEBIAN/control"
+dpkg-deb --root-owner-group -b "$work/next" "$work/packages/next.deb" >/dev/null
+
+mmdebstrap --variant=apt --include=systemd,udev --aptopt='APT::Install-Recommends "false"' \
+    --customize-hook="copy-in $work/packages /root" --customize-hook='chroot "$1" sh /root/packages/life.sh' \
+    bookworm - "$mirror" 2>"$work/log" >/dev/null || {
+    tail -n 60 "$work/log"
+    exit 1
+}
+grep '^life: ' "$work/log"

@@ -1,0 +1,383 @@
+# SPDX-License-Identifier: MIT
+"""What is tried on the virtual board: one function a row of the table, in the order of TRIALS.
+
+Each takes the Board, raises Failed when something is wrong, and returns what the row says beside it."""
+
+import random
+import re
+import subprocess
+import time
+from pathlib import Path
+
+from machine import PATIENCE_S, Failed, Machine, Memory, Player, check
+
+PROTOCOL_ID = 0x524D4152
+ID_WORD = 0x20 // 4
+CAPABILITY_WORD = 0x28 // 4
+UIO = "43c00000.raymarch"
+DRIVER = "/sys/bus/platform/drivers/uio_pdrv_genirq"
+PORT = "e0001000.serial"
+CONFIGURATION = "serial = \\\"/dev/ttyPS1@115200\\\"\\nregisters = \\\"uio-name:raymarch\\\"\\n"
+
+FRAMES = [
+    "FX=0,FY=0,FZ=1,RX=1,RY=0,RZ=0,UX=0,UY=1,UZ=0,ZM=3,LX=3,LY=2,LZ=5,R=1,G=1,B=1,OBJ=sphere",
+    "FX=0,FY=0.342,FZ=0.940,RX=1,RY=0,RZ=0,UX=0,UY=0.940,UZ=-0.342,ZM=2.5,LX=3,LY=2,LZ=5,R=1,G=0.498,B=0,OBJ=cube",
+    "FX=0.866,FY=0,FZ=0.5,RX=0.5,RY=0,RZ=-0.866,UX=0,UY=1,UZ=0,ZM=10,LX=-63,LY=63,LZ=0.125,R=0,G=0.25,B=1,"
+    "OBJ=infinite_cube",
+    "FX=0,FY=0,FZ=-1,RX=-1,RY=0,RZ=0,UX=0,UY=1,UZ=0,ZM=0,LX=0,LY=0,LZ=-4,R=0.2,G=0.4,B=0.6,OBJ=tunnel",
+]
+
+
+class Board:
+    """What the trials share: the machine, its memory, the programs of the host."""
+
+    def __init__(self, machine: Machine, memory: Memory, package: Path, programs: Path, cuts: int):
+        self.machine = machine
+        self.memory = memory
+        self.package = package
+        self.programs = programs
+        self.cuts = cuts
+        self.picture = machine.folder / "picture.png"
+        self.player: Player | None = None
+
+    def tool(self, *arguments: str) -> str:
+        return subprocess.run([self.programs / "raymarchctl", *arguments], check=True, text=True,
+                              capture_output=True).stdout
+
+    def words_of(self, line: str) -> list[int]:
+        reply = self.tool("encode", line).split()
+        return [int(word, 16) for word in reply if re.fullmatch("[0-9A-F]{8}", word)]
+
+    def play(self) -> Player:
+        self.player = Player(self.programs / "board_player", self.memory, self.machine,
+                             "--picture", str(self.picture))
+        return self.player
+
+    def stop_playing(self) -> None:
+        if self.player:
+            self.player.close()
+            self.player = None
+
+    def status(self) -> dict[str, str]:
+        reply = self.machine.ask("STATUS")
+        check(reply.startswith("OK"), f"STATUS: {reply}")
+        return dict(item.split("=", 1) for item in reply.split()[1:] if "=" in item)
+
+    def wait_for_status(self, key: str, value: str) -> None:
+        end = time.monotonic() + PATIENCE_S
+        while time.monotonic() < end:
+            if self.status().get(key) == value:
+                return
+            time.sleep(0.2)
+        raise Failed(f"{key}={value} did not come: {self.status()}")
+
+    def pid(self) -> int:
+        return int(self.machine.run("systemctl show -p MainPID --value raymarchd"))
+
+    def wait_for_restart(self, before: int) -> int:
+        """Until systemd says that another process is ready."""
+        self.machine.run(
+            f"until [ $(systemctl show -p MainPID --value raymarchd) != {before} ] && "
+            "systemctl is-active -q raymarchd; do sleep 0.2; done")
+        return self.pid()
+
+
+def install(board: Board) -> str:
+    """A fresh card: one package is copied to it and installed; the rest is a restart."""
+    machine = board.machine
+    machine.start()
+    machine.log_in()
+    machine.run("dpkg -i /root/raymarchd.deb")
+    check(machine.try_run("systemctl is-enabled raymarchd")[1] == "enabled", "the service is not enabled")
+    check(machine.try_run("systemctl is-active raymarchd")[1] == "inactive", "the service was started")
+    check(machine.run("stat -c %a:%U /usr/sbin/raymarchd") == "755:root", "raymarchd is not root's")
+    # The console stays a login here; the service has the other port.
+    machine.run("mkdir -p /etc/systemd/system/raymarchd.service.d && "
+                "ln -s /dev/null /etc/systemd/system/raymarchd.service.d/console.conf")
+    machine.run(f"printf \"{CONFIGURATION}\" >> /etc/raymarchd.toml && raymarchd --check-config")
+    machine.shut_down()
+    return board.package.name
+
+
+def power_on(board: Board) -> str:
+    board.memory.clear()
+    board.play()
+    board.machine.start()
+    took = board.machine.wait_for_service()
+    board.machine.log_in()
+    ready = int(board.machine.run("systemctl show -p ActiveEnterTimestampMonotonic --value raymarchd"))
+    status = board.status()
+    check(status["hardware"] == "ok" and status["block"] == "extended", f"the registers: {status}")
+    check(board.machine.run("systemctl show -p User --value raymarchd") == "raymarchd", "not its own user")
+    link = board.machine.run("readlink -f /dev/raymarch")
+    check(re.fullmatch(r"/dev/uio\d+", link) is not None, f"/dev/raymarch is {link}")
+    return f"READY {ready / 1e6:.1f} s after the kernel's start; first answer {took:.1f} s after power-on"
+
+
+def resident(board: Board) -> str:
+    fields = board.machine.run(f"grep -E 'VmHWM|VmRSS|RssAnon' /proc/{board.pid()}/status").split()
+    sizes = dict(zip((f.rstrip(":") for f in fields[0::3]), map(int, fields[1::3])))
+    check(sizes["VmRSS"] <= 6144, f"more than 6 MB resident: {sizes}")
+    return ", ".join(f"{key} {value} kB" for key, value in sizes.items())
+
+
+def frames(board: Board) -> str:
+    generator = random.Random(1)
+    lines = list(FRAMES)
+    for _ in range(30):
+        values = [f"{generator.uniform(-1, 1):.4f}" for _ in range(9)]
+        names = ("FX", "FY", "FZ", "RX", "RY", "RZ", "UX", "UY", "UZ")
+        lines.append(",".join(f"{name}={value}" for name, value in zip(names, values)) +
+                     f",ZM={generator.uniform(0, 10):.5f},LX={generator.uniform(-60, 60):.2f},LY=1,LZ=2,"
+                     f"R={generator.random():.3f},G={generator.random():.3f},B={generator.random():.3f},"
+                     f"OBJ={generator.choice(['sphere', 'cube', 'infinite_cube', 'tunnel'])}")
+    for line in lines:
+        reply = board.machine.ask(line)
+        check(reply.startswith("OK"), f"{line}: {reply}")
+        wanted = board.words_of(line)
+        check(len(wanted) == 8, f"{line}: encode says {wanted}")
+        wait_for_words(board, wanted)
+    return f"{len(lines)} frames, {8 * len(lines)} words at 0x{board.memory.address:08X}"
+
+
+def wait_for_words(board: Board, wanted: list[int]) -> None:
+    """They are there with the reply, but where a commit was pending."""
+    end = time.monotonic() + PATIENCE_S
+    while list(board.memory.words[:8]) != wanted:
+        check(time.monotonic() < end, f"{[f'{w:08X}' for w in board.memory.words[:8]]} in place of "
+                                      f"{[f'{w:08X}' for w in wanted]}")
+        time.sleep(0.01)
+
+
+def pictures(board: Board) -> str:
+    """From text on a UART to a picture, with a real kernel between."""
+    player = board.player
+    assert player
+    line = board.machine.run("grep raymarch /proc/interrupts").split()
+    number, before = line[0].rstrip(":"), int(line[1])
+    player.trigger = f"/sys/kernel/debug/irq/irqs/{number}"
+    rendered = board.machine.folder / "rendered.png"
+    drawn_before = int(board.status()["frames"])
+    for line in FRAMES:
+        wanted = [f"{word:08X}" for word in board.words_of(line)]
+        reply = board.machine.ask(line)
+        check(reply.startswith("OK"), f"{line}: {reply}")
+        player.wait("the words", lambda wanted=wanted: player.words == wanted)
+        board.tool("render", "--registers", *wanted, "--size", "160x120", "-o", str(rendered))
+        end = time.monotonic() + PATIENCE_S
+        while not board.picture.exists() or board.picture.read_bytes() != rendered.read_bytes():
+            check(time.monotonic() < end, f"{line}: the picture is another one")
+            time.sleep(0.05)
+    drawn = int(board.status()["frames"]) - drawn_before
+    check(drawn >= len(FRAMES), f"FRAMES counted {drawn}")
+    after = int(board.machine.run("grep raymarch /proc/interrupts").split()[1])
+    check(after > before, "no interrupt came")
+    return f"{len(FRAMES)} pictures as raymarchctl draws them, FRAMES {drawn}, interrupts {after - before}"
+
+
+def mismatch(board: Board) -> str:
+    """The logic holds one bit against the service; it sees that by reading back."""
+    errors = int(board.status()["readback_errors"])
+    board.stop_playing()
+    word = board.memory.words
+    tries = 0
+    stuck = word[1] ^ 1
+    for tries in range(1, 201):
+        board.machine.serial.forget()
+        board.machine.serial.send(f"SET ZM={tries % 9 + 0.5}\r\n".encode())
+        end = time.monotonic() + 5
+        while time.monotonic() < end:
+            for _ in range(20000):
+                word[1] = stuck
+            try:
+                reply = board.machine.serial.until(rb"((?:OK|ERR)[^\r\n]*)\r?\n", 0)[1]
+                break
+            except TimeoutError:
+                continue
+        else:
+            raise Failed("no reply")
+        if reply.startswith(b"ERR HARDWARE"):
+            break
+    else:
+        raise Failed("never ERR HARDWARE")
+    status = board.status()
+    check(status["hardware"] == "fault", f"STATUS: {status}")
+    check(int(status["readback_errors"]) > errors, f"STATUS: {status}")
+    board.play()
+    board.machine.ask(FRAMES[0])
+    board.wait_for_status("hardware", "ok")
+    wait_for_words(board, board.words_of(FRAMES[0]))
+    return f"ERR HARDWARE at try {tries}, hardware=fault, then ok again"
+
+
+def storm(board: Board) -> str:
+    """The line is raised as fast as the board can, while frames come."""
+    board.player.trigger = ""
+    number = board.machine.run("grep raymarch /proc/interrupts").split()[0].rstrip(":")
+    before = int(board.machine.run("grep raymarch /proc/interrupts").split()[1])
+    board.machine.run(f"(while [ ! -e /run/calm ]; do echo trigger; done > "
+                      f"/sys/kernel/debug/irq/irqs/{number}) & true")
+    for line in FRAMES * 5:
+        reply = board.machine.ask(line)
+        check(reply.startswith("OK"), f"{line}: {reply}")
+        wait_for_words(board, board.words_of(line))
+    board.machine.run("touch /run/calm; wait; rm /run/calm")
+    after = int(board.machine.run("grep raymarch /proc/interrupts").split()[1])
+    check(after > before, "no interrupt came")
+    check(board.status()["hardware"] == "ok", "the registers are not ok")
+    return f"{after - before} interrupts, {len(FRAMES) * 5} frames answered and checked meanwhile"
+
+
+PROBES = {
+    "a socket of the network": "perl -MSocket -e 'socket(S, PF_INET, SOCK_STREAM, 0) or exit 1'",
+    "another device, /dev/mem": "true < /dev/mem",
+    "another device, the card": "true < /dev/mmcblk0",
+    "a home directory": "ls /root",
+    "a file in /etc": "touch /etc/raymarchd.probe",
+    "the configuration": "echo >> /etc/raymarchd.toml",
+    "a setting of the kernel": "echo 1 > /proc/sys/vm/swappiness",
+    "a file that runs as its owner": "cp /bin/true /tmp/t && chmod u+s /tmp/t",
+    "a mount": "mount -t tmpfs none /tmp && umount /tmp",
+    "a namespace": "unshare -U true",
+    "the clock": "date -s \"$(date)\"",
+    "another's process": "ls /proc/1",
+}
+ALLOWED = {
+    "the registers": "true <> /dev/raymarch",
+    "the GPIO chips": "for c in /dev/gpiochip*; do true <> $c || exit 1; done",
+    "its state": "touch /var/lib/raymarchd/probe && rm /var/lib/raymarchd/probe",
+}
+
+
+def unit_of_probe(user: str) -> str:
+    """The service's unit with a script in its place. As root, what refuses is the restrictions and not
+    the rights of a user. Its folders stay the service's."""
+    drop = "WatchdogSec|Restart|Exec|RuntimeDirectory" + ("|User|Group|Supp|StateDir" if user == "root" else "")
+    return (f"sed -E -e 's/^Type=.*/Type=oneshot/; /^({drop})/d' "
+            "-e 's|^\\[Service\\]|&\\nExecStart=/bin/sh /run/probe.sh|' /lib/systemd/system/raymarchd.service "
+            "> /run/systemd/system/probe.service && systemctl daemon-reload")
+
+
+def sandbox(board: Board) -> str:
+    """The unit's own restrictions, around a shell; each probe works outside of them."""
+    machine = board.machine
+    for user, table in (("root", PROBES), ("raymarchd", ALLOWED)):
+        machine.run(unit_of_probe(user))
+        for name, command in table.items():
+            machine.run(f"cat > /run/probe.sh <<'END'\n{command}\nEND")
+            check(machine.try_run("sh /run/probe.sh")[0] == 0, f"{name}: refused without restrictions, too")
+            status, text = machine.try_run("systemctl start probe.service")
+            check((status == 0) == (table is ALLOWED), f"{name}: status {status} {text}")
+    return f"{len(PROBES)} refused: {', '.join(PROBES)}; {len(ALLOWED)} allowed"
+
+
+def kill(board: Board) -> str:
+    before = board.pid()
+    board.machine.ask(FRAMES[1])
+    check(board.machine.ask("SAVE").startswith("OK"), "SAVE")
+    board.machine.run(f"kill -9 {before}")
+    board.wait_for_restart(before)
+    board.machine.wait_for_service()
+    wait_for_words(board, board.words_of(FRAMES[1]))
+    return "restarted, the saved state in the registers"
+
+
+def watchdog(board: Board) -> str:
+    before = board.pid()
+    begun = time.monotonic()
+    board.machine.run(f"kill -STOP {before}")
+    board.wait_for_restart(before)
+    took = time.monotonic() - begun
+    board.machine.wait_for_service()
+    check("watchdog" in board.machine.run("journalctl -u raymarchd -n 50 --no-pager").lower(),
+          "the journal does not say watchdog")
+    return f"stopped process replaced after {took:.0f} s"
+
+
+def hang_up(board: Board) -> str:
+    machine = board.machine
+    machine.serial.send(b"SET ZM=")  # half a line, and the port is gone
+    machine.run(f"echo {PORT} > /sys/bus/platform/drivers/xuartps/unbind")
+    machine.run("until journalctl -u raymarchd -n 20 --no-pager | grep -q 'serial port has gone'; do sleep 0.2; done")
+    status = machine.run("raymarchctl status --socket /run/raymarchd/control")
+    check("down" in status, f"status: {status}")
+    machine.run(f"echo {PORT} > /sys/bus/platform/drivers/xuartps/bind")
+    machine.wait_for_service()
+    check(machine.ask("GET ZM").startswith("OK ZM="), "GET")
+    return "port taken away and given back"
+
+
+def absent(board: Board) -> str:
+    """Boots without the accelerator; its driver comes, then its logic."""
+    machine = board.machine
+    machine.shut_down()
+    board.stop_playing()
+    board.memory.clear()
+    board.memory.words[ID_WORD] = PROTOCOL_ID
+    board.memory.words[CAPABILITY_WORD] = 0xEE000000  # of a kind that nobody knows
+    machine.start(arguments="")
+    machine.wait_for_service()
+    machine.log_in()
+    check(board.status()["hardware"] == "absent", "there is hardware")
+    reply = machine.ask(FRAMES[2])
+    check(reply.startswith("ERR HARDWARE"), f"a frame without hardware: {reply}")
+    machine.run(f"echo uio_pdrv_genirq > /sys/bus/platform/devices/{UIO}/driver_override && "
+                f"echo {UIO} > {DRIVER}/bind")
+    machine.run("until journalctl -u raymarchd -b --no-pager | grep -q 'accelerator kind 238'; do sleep 0.2; done")
+    check(board.status()["hardware"] == "absent", "an unknown kind is taken")
+    board.play()
+    board.wait_for_status("hardware", "ok")
+    wait_for_words(board, board.words_of(FRAMES[2]))
+    return "absent, then of an unknown kind, then there: the state of meanwhile in the registers"
+
+
+def power_cuts(board: Board) -> str:
+    """The power goes in the middle of state writes; what was saved before is there afterwards."""
+    machine = board.machine
+    generator = random.Random(2)
+    writes = 0
+    saved = 0
+    machine.ask("SET ZM=0")
+    check(machine.ask("SAVE").startswith("OK"), "SAVE")
+    for cut in range(board.cuts):
+        sent = saved
+        end = time.monotonic() + generator.uniform(0.3, 3.0)
+        machine.serial.forget()
+        while time.monotonic() < end:
+            sent = (sent + 1) % 1000
+            machine.serial.send(f"SET ZM={sent / 128:.7f}\r\nSAVE\r\n".encode())
+            machine.serial.until(rb"OK[^\r\n]*\r?\n")
+            try:
+                machine.serial.until(rb"OK[^\r\n]*\r?\n", max(0.0, end - time.monotonic()))
+            except TimeoutError:
+                break  # cut within the write
+            saved = sent
+            writes += 1
+        machine.cut()
+        machine.start()
+        machine.wait_for_service()
+        value = float(machine.ask("GET ZM").split("ZM=")[1])
+        found = round(value * 128)
+        check(found in (saved, sent), f"cut {cut + 1}: {found}/128, saved was {saved}, sent {sent}")
+        saved = found
+    machine.log_in()
+    log = machine.run("journalctl -u raymarchd --no-pager -q")
+    check("starting from the defaults" not in log, "a state file was refused")
+    return f"{board.cuts} cuts among {writes} writes of the state, each found valid and no older than saved"
+
+
+TRIALS = {
+    "package installed with dpkg": install,
+    "power-on to READY": power_on,
+    "resident memory": resident,
+    "frames become words": frames,
+    "words become pictures": pictures,
+    "read-back mismatch": mismatch,
+    "interrupt storm": storm,
+    "each restriction bites": sandbox,
+    "kill -9": kill,
+    "watchdog": watchdog,
+    "serial port hangs up": hang_up,
+    "accelerator absent, then there": absent,
+    "power cuts": power_cuts,
+}
