@@ -207,7 +207,7 @@ class Player:
         self._changed = threading.Condition()
         self.words: list[str] = []
         self.interrupts = 0
-        self.trigger = ""  # a file of the board's; empty: it is not told
+        self._trigger = ""  # a file of the board's; empty: it is not told
         line = self._process.stdout.readline()
         check(line == "ready\n", f"board_player says {line!r}")
         self._thread = threading.Thread(target=self._listen, daemon=True)
@@ -223,11 +223,22 @@ class Player:
                 elif kind == "interrupt":
                     self.interrupts = int(rest)
                 self._changed.notify_all()
-            if kind == "interrupt" and self.trigger:
-                try:
-                    self._machine.try_run(f"echo trigger > {self.trigger}")
-                except (Failed, OSError, TimeoutError):
-                    return  # the machine has gone
+            if kind == "interrupt":
+                self._raise()
+
+    def _raise(self) -> None:
+        if self._trigger:
+            try:
+                self._machine.try_run(f"echo trigger > {self._trigger}")
+            except (Failed, OSError, TimeoutError):
+                self._trigger = ""  # the machine has gone
+
+    def raise_through(self, trigger: str) -> None:
+        """From now on by this file of the board's, or not at all. The line is level: what was raised
+        before is raised still."""
+        self._trigger = trigger
+        if self.interrupts:
+            self._raise()
 
     def wait(self, what: str, condition) -> None:
         with self._changed:
