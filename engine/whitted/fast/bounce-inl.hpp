@@ -109,6 +109,34 @@ HWY_INLINE Surface surface_of(const Scene& scene, Lanes on_sphere, Ints sphere, 
     return surface;
 }
 
+/// What reaches surfaces from the light.
+struct Lighting
+{
+    Triple colour;
+    Lanes lost;
+    Ints cycles; ///< of the search for shadows
+};
+
+/// Of the points in `where`; `own` is as in search_shadow.
+template <typename R>
+HWY_INLINE Lighting lighting(const Scene& scene, Lanes where, Lanes lit_sphere, const Triple& point,
+                             const Surface& surface, Ints own)
+{
+    const Way way = way_to_light(point, scene.frame.light);
+    const Ints cosine = dot(way.direction, surface.normal);
+    const Lanes away = both(lit_sphere, negative(cosine));
+    const Shadow shadow =
+        search_shadow<R>(scene, without(where, either(away, way.lost)), point, way, own);
+    const Ints steps = hn::ShiftRight<fraction_bits>(cosine);
+    const Ints full = all(std::int32_t{full_weight});
+    const Ints weight =
+        R::has(Defect::WrappedHighlight) ? hn::And(steps, full) : hn::Min(steps, full);
+    const Triple lit = choose(lit_sphere, lambert(surface.colour, weight), surface.colour);
+    return {.colour = choose(either(away, shadow.blocked), halved(surface.colour), lit),
+            .lost = both(where, way.lost),
+            .cycles = shadow.cycles};
+}
+
 /// direction - 2 (direction . normal) normal, of unit length.
 struct Reflected
 {
@@ -136,8 +164,9 @@ HWY_INLINE void lose(Results& results, Lanes lost, Ints slot)
 {
     if (HWY_LIKELY(none(lost)))
         return;
-    hn::CompressStore(slot, lost, words, results.lost + results.lost_count);
-    results.lost_count += hn::CountTrue(words, lost);
+    const Packing packing(lost);
+    packing.store(slot, results.lost + results.lost_count);
+    results.lost_count += packing.count();
 }
 
 /// Samples that end.
@@ -146,22 +175,19 @@ HWY_INLINE void finish(Results& results, Lanes ended, Ints slot, Ints sum, Ints 
 {
     if (none(ended))
         return;
-    alignas(64) std::array<std::int32_t, lane_count> slots;
-    alignas(64) std::array<std::int32_t, lane_count> sums;
-    const std::size_t count = hn::CountTrue(words, ended);
-    hn::CompressStore(slot, ended, words, slots.data());
-    hn::CompressStore(sum, ended, words, sums.data());
-    for (std::size_t i = 0; i < count; ++i)
-        results.sums[static_cast<std::size_t>(slots[i])] = sums[i];
+    const Packing packing(ended);
+    Storage<lane_count> slots{};
+    packing.store(slot, slots);
+    const auto put = [&](std::int32_t* to, Ints value) {
+        Storage<lane_count> values{};
+        packing.store(value, values);
+        for (std::size_t i = 0; i < packing.count(); ++i)
+            to[slots[i]] = values[i];
+    };
+    put(results.sums, sum);
     if constexpr (R::counts) {
-        alignas(64) std::array<std::int32_t, lane_count> all_cycles;
-        alignas(64) std::array<std::int32_t, lane_count> all_rays;
-        hn::CompressStore(cycles, ended, words, all_cycles.data());
-        hn::CompressStore(rays, ended, words, all_rays.data());
-        for (std::size_t i = 0; i < count; ++i) {
-            results.cycles[static_cast<std::size_t>(slots[i])] = all_cycles[i];
-            results.rays[static_cast<std::size_t>(slots[i])] = all_rays[i];
-        }
+        put(results.cycles, cycles);
+        put(results.rays, rays);
     }
 }
 
@@ -239,30 +265,29 @@ std::size_t follow(const Scene& scene, Stream<R::counts>& stream, std::size_t co
         if (!none(surfaces)) {
             const Surface surface =
                 surface_of(scene, lit_sphere, sphere.index, on_plane, plane_index, point);
-            const Way way = way_to_light(point, frame.light);
-            lost = either(lost, both(surfaces, either(surface.lost, way.lost)));
-            const Ints cosine = dot(way.direction, surface.normal);
-            const Lanes away = both(lit_sphere, negative(cosine));
+            lost = either(lost, both(surfaces, surface.lost));
             if constexpr (R::has(Defect::StaleSphere))
                 now_own = choose(lit_sphere, sphere.index, own);
             else
                 now_own = choose(lit_sphere, sphere.index, all(std::int32_t{no_sphere}));
-            const Shadow shadow =
-                search_shadow<R>(scene, without(surfaces, either(away, lost)), point, way, now_own);
+            Triple colour = surface.colour;
+            // What is black is black in the light too, and in most rooms it is the walls.
+            const Lanes coloured =
+                R::counts ? surfaces : both(surfaces, positive(any_bit(surface.colour)));
+            if (!none(coloured)) {
+                const Lighting light = lighting<R>(scene, without(coloured, lost), lit_sphere,
+                                                   point, surface, now_own);
+                lost = either(lost, light.lost);
+                colour = light.colour;
+                if constexpr (R::counts)
+                    spent = hn::Add(spent, light.cycles);
+            }
             if constexpr (R::counts) {
                 constexpr cycles::Cycles shading = cycles::ray + cycles::normal + cycles::cosine;
-                spent = hn::Add(spent, shadow.cycles);
                 spent = hn::Add(spent, hn::IfThenElseZero(surfaces, all(shading)));
                 spent = hn::Add(spent, hn::IfThenElseZero(lit_sphere, all(cycles::lambert)));
                 rays = hn::Add(rays, hn::IfThenElseZero(surfaces, all(1)));
             }
-            const Ints steps = hn::ShiftRight<fraction_bits>(cosine);
-            const Ints cosine_weight = R::has(Defect::WrappedHighlight)
-                                           ? hn::And(steps, all(std::int32_t{full_weight}))
-                                           : hn::Min(steps, all(std::int32_t{full_weight}));
-            const Triple lit =
-                choose(lit_sphere, lambert(surface.colour, cosine_weight), surface.colour);
-            const Triple colour = choose(either(away, shadow.blocked), halved(surface.colour), lit);
             const Ints brighter = accumulated(sum, colour, weight);
             sum = choose(surfaces, brighter, sum);
             weight = weighted(weight, surface.reflect);
@@ -287,13 +312,14 @@ std::size_t follow(const Scene& scene, Stream<R::counts>& stream, std::size_t co
             spent = hn::Add(spent, primary ? all(sample) : load(stream.cycles));
             rays = hn::Add(rays, primary ? all(1) : load(stream.rays));
         }
-        const auto keep = [&](std::int32_t* column, Ints value) {
-            hn::CompressStore(value, goes_on, words, column + kept);
-        };
         finish<R>(results, without(here, goes_on), slot, sum, spent, rays);
         lose(results, lost, slot);
         if (none(goes_on))
             continue;
+        const Packing packing(goes_on);
+        const auto keep = [&](std::int32_t* column, Ints value) {
+            packing.store(value, column + kept);
+        };
         keep(stream.direction_x, mirrored.x);
         keep(stream.direction_y, mirrored.y);
         keep(stream.direction_z, mirrored.z);
@@ -308,7 +334,7 @@ std::size_t follow(const Scene& scene, Stream<R::counts>& stream, std::size_t co
             keep(stream.cycles, spent);
             keep(stream.rays, rays);
         }
-        kept += hn::CountTrue(words, goes_on);
+        kept += packing.count();
     }
     return kept;
 }

@@ -8,6 +8,7 @@
 /// bits is meant, so that it may be wrong by far more than rounding makes it, and so that the
 /// result is the same whether a machine fuses multiplications or not. docs/engine/whitted.md has
 /// the proofs.
+#include "engine/whitted/fast/packing_order.hpp"
 #include "engine/whitted/fast/scene.hpp"
 
 #include <hwy/highway.h>
@@ -102,6 +103,7 @@ HWY_INLINE Lanes negative(Ints a)
 {
     return hn::Lt(a, hn::Zero(words));
 }
+HWY_INLINE Lanes positive(Ints a) { return hn::Gt(a, hn::Zero(words)); }
 HWY_INLINE Ints choose(Lanes where, Ints there, Ints elsewhere)
 {
     return hn::IfThenElse(where, there, elsewhere);
@@ -111,6 +113,8 @@ HWY_INLINE Triple choose(Lanes where, const Triple& there, const Triple& elsewhe
     return {choose(where, there.x, elsewhere.x), choose(where, there.y, elsewhere.y),
             choose(where, there.z, elsewhere.z)};
 }
+
+HWY_INLINE Ints any_bit(const Triple& v) { return hn::Or(hn::Or(v.x, v.y), v.z); }
 
 HWY_INLINE Triple operator-(const Triple& a, const Triple& b)
 {
@@ -232,6 +236,41 @@ HWY_INLINE Triple point_at(const Triple& origin, const Triple& direction, Ints d
     const Triple way = scaled(direction, distance);
     return {hn::Add(origin.x, way.x), hn::Add(origin.y, way.y), hn::Add(origin.z, way.z)};
 }
+
+/// Some lanes of any number of vectors, stored close together. What follows them in memory, up to a
+/// vector, is overwritten.
+class Packing
+{
+  public:
+#if HWY_TARGET == HWY_AVX2
+    // One permutation for all vectors: Highway would find it again for each of them.
+    HWY_INLINE explicit Packing(Lanes kept)
+        : bits_(static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(kept.raw)))),
+          order_(_mm256_cvtepu8_epi32(_mm_loadl_epi64(
+              reinterpret_cast<const __m128i*>(packing_order[bits_].data())))) // NOLINT
+    {
+    }
+    [[nodiscard]] HWY_INLINE std::size_t count() const { return hwy::PopCount(bits_); }
+    HWY_INLINE void store(Ints value, std::int32_t* to) const
+    {
+        hn::StoreU(Ints{_mm256_permutevar8x32_epi32(value.raw, order_)}, words, to);
+    }
+
+  private:
+    unsigned bits_;
+    __m256i order_;
+#else
+    HWY_INLINE explicit Packing(Lanes kept) : kept_(kept) {}
+    [[nodiscard]] HWY_INLINE std::size_t count() const { return hn::CountTrue(words, kept_); }
+    HWY_INLINE void store(Ints value, std::int32_t* to) const
+    {
+        hn::CompressStore(value, kept_, words, to);
+    }
+
+  private:
+    Lanes kept_;
+#endif
+};
 
 /// table[index], index below `rows`.
 template <std::size_t rows>

@@ -38,14 +38,15 @@ void set_out(const Lattice& lattice, std::size_t row, std::size_t first, std::si
         const Lanes here = hn::FirstN(words, end - at);
         const Lanes tame = without(here, squared.lost);
         const Ints slot = hn::Iota(words, static_cast<std::int32_t>(row * row_samples + at));
+        const Packing packing(tame);
         const auto keep = [&](std::int32_t* column, Ints value) {
-            hn::CompressStore(value, tame, words, column + count);
+            packing.store(value, column + count);
         };
         keep(stream.direction_x, direction.x);
         keep(stream.direction_y, direction.y);
         keep(stream.direction_z, direction.z);
         keep(stream.slot, slot);
-        count += hn::CountTrue(words, tame);
+        count += packing.count();
         lose(results, both(here, squared.lost), slot);
     }
 }

@@ -77,52 +77,39 @@ PlaneColumns columns_of_planes(const Frame& frame) noexcept
     return to;
 }
 
-/// The largest centre; it decides the rest.
+/// The largest of the spheres; they decide how far points may be away.
 struct Extent
 {
-    double centre = 0;         ///< the largest |centre|
-    double squared_radius = 0; ///< the largest
-    double all = 0;            ///< the largest of centres, eye and planes
+    double centre = 0; ///< the largest |centre|
+    double radius = 0;
 };
 
 Extent extent_of(const Frame& frame) noexcept
 {
-    Extent extent{.all = length_of(frame.eye)};
+    Extent extent;
     for (std::size_t i = 0; i <= frame.last; ++i) {
         extent.centre = std::max(extent.centre, length_of(frame.spheres[i].centre));
-        extent.squared_radius = std::max(
-            extent.squared_radius, static_cast<double>(frame.spheres[i].squared_radius.raw()));
+        extent.radius = std::max(extent.radius, std::sqrt(double(estimate(
+                                                    frame.spheres[i].squared_radius))));
     }
-    extent.all = std::max(extent.all, extent.centre);
-    if (frame.planes_drawn)
-        for (const Plane& plane : frame.planes)
-            extent.all = std::max(extent.all, std::abs(double(plane.offset.raw())));
     return extent;
 }
 
-/// The largest coordinate at which nothing wraps, or 0.
-std::int32_t bound_of(const Frame& frame, const Extent& extent) noexcept
+/// How far from the origin a ray may start so that nothing wraps, or 0.
+double bound_of(const Frame& frame, const Extent& extent) noexcept
 {
-    const double diagonal = std::sqrt(3.0);
-    // Far beyond the scene estimates would be poor; whatever gets there is for the reference.
-    double bound = std::min<double>(bounds::coordinate - 1, std::max(16 * extent.all, 65536.0));
-    bound = std::min(bound, (bounds::reach - extent.centre) / diagonal);
+    if (extent.radius > double{bounds::radius} * (1 << fraction_bits))
+        return 0;
+    double bound = bounds::reach - extent.centre;
     if (frame.planes_drawn)
         for (const Plane& plane : frame.planes) {
-            if (length_of(plane.normal) > bounds::plane_normal)
+            const double normal = length_of(plane.normal);
+            if (normal > bounds::plane_normal)
                 return 0;
             const double room = bounds::word_end - 4 - std::abs(double(plane.offset.raw()));
-            bound = std::min(bound, room / diagonal * (1 << fraction_bits) / bounds::plane_normal);
+            bound = std::min(bound, room * (1 << fraction_bits) / std::max(normal, 1.0));
         }
-    const double largest_radius = double{bounds::radius} * (1 << fraction_bits);
-    if (extent.squared_radius > largest_radius * largest_radius)
-        return 0;
-    return static_cast<std::int32_t>(std::max(bound, 0.0));
-}
-
-bool within(const Vector& v, std::int32_t bound) noexcept
-{
-    return std::max({std::abs(v.x.raw()), std::abs(v.y.raw()), std::abs(v.z.raw())}) <= bound;
+    return std::max(bound, 0.0);
 }
 
 bool eye_inside(const Frame& frame) noexcept
@@ -140,7 +127,8 @@ Margins margins_of(const Extent& extent) noexcept
     const double chord = std::ldexp(1.0, -18);
     return {.along = static_cast<float>(along * 1.5 * centre),
             .along_squared = static_cast<float>(along * 0.5 / centre),
-            .chord = static_cast<float>(chord * (centre * centre + extent.squared_radius)),
+            .chord = static_cast<float>(
+                chord * (centre * centre + extent.radius * extent.radius)),
             .chord_squared = static_cast<float>(chord)};
 }
 
@@ -150,9 +138,11 @@ Scene make_scene(const Frame& frame) noexcept
 {
     Scene scene{.frame = frame};
     const Extent extent = extent_of(frame);
-    scene.bound = bound_of(frame, extent);
-    if (scene.bound == 0 || !within(frame.eye, scene.bound))
+    const double bound = bound_of(frame, extent);
+    if (length_of(frame.eye) >= bound)
         return scene;
+    constexpr double rounding = 1 - 1.0 / (1 << 18); // of estimates that are held against it
+    scene.squared_bound = static_cast<float>(bound * bound * rounding);
     scene.kind = eye_inside(frame) ? Scene::Kind::Black : Scene::Kind::Tame;
     scene.margins = margins_of(extent);
     scene.spheres = columns_of_spheres(frame);

@@ -34,8 +34,6 @@ inline constexpr std::int32_t normal_component = 5000;
 inline constexpr std::int32_t plane_normal = 4300;
 /// |centre| + |point|, raw: times direction / 4096, and 2^18 more, it is still a word.
 inline constexpr std::int32_t reach = 7'800'000;
-/// Of a coordinate, whatever the scene.
-inline constexpr std::int32_t coordinate = 1 << 22;
 /// Of a sphere, in units: the square of the half chord, over 2^12, is below 2^30.
 inline constexpr std::int32_t radius = 512;
 } // namespace bounds
@@ -75,14 +73,14 @@ struct Margins
 struct Scene
 {
     enum class Kind : std::uint8_t {
-        Tame,  ///< nothing wraps while points stay within `bound`
+        Tame,  ///< nothing wraps while points stay within `squared_bound`
         Black, ///< the eye is inside a sphere: every sample is black
         Wild,  ///< for the reference alone
     };
 
     Frame frame;
     Kind kind = Kind::Wild;
-    std::int32_t bound = 0; ///< of |coordinate| of every point that a ray starts from
+    float squared_bound = 0; ///< of the squared length of every point that a ray starts from
     Margins margins{};
     SphereColumns spheres{};
     PlaneColumns planes{};

@@ -129,7 +129,8 @@ HWY_INLINE Ints key_of(Ints distance)
 /// Beyond the bounds: for the reference.
 HWY_INLINE Lanes out_of_bounds(const Scene& scene, const Triple& point)
 {
-    return hn::Gt(reach_of(point), all(scene.bound));
+    const Real3 point_ = real(point);
+    return lanes_of(hn::Gt(dot(point_, point_, hn::Zero(reals)), all(scene.squared_bound)));
 }
 
 /// The spheres in order; `ray` follows the kept points where they move it (R1). `own` is the sphere
