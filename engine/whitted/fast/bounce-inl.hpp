@@ -109,6 +109,14 @@ HWY_INLINE Surface surface_of(const Scene& scene, Lanes on_sphere, Ints sphere, 
     return surface;
 }
 
+/// Rare: out of the way of the others.
+template <typename R>
+HWY_NOINLINE Shadow search_far_shadow(const Scene& scene, Lanes searching, const Triple& point,
+                                      const Way& way, Ints own)
+{
+    return search_shadow<R, Length::Wrapped>(scene, searching, point, way, own);
+}
+
 /// What reaches surfaces from the light.
 struct Lighting
 {
@@ -125,8 +133,10 @@ HWY_INLINE Lighting lighting(const Scene& scene, Lanes where, Lanes lit_sphere, 
     const Way way = way_to_light(point, scene.frame.light);
     const Ints cosine = dot(way.direction, surface.normal);
     const Lanes away = both(lit_sphere, negative(cosine));
-    const Shadow shadow =
-        search_shadow<R>(scene, without(where, either(away, way.lost)), point, way, own);
+    const Lanes searching = without(where, either(away, way.lost));
+    const Shadow shadow = HWY_LIKELY(scene.light_is_near && none(both(where, way.wrapped)))
+                              ? search_shadow<R, Length::Unit>(scene, searching, point, way, own)
+                              : search_far_shadow<R>(scene, searching, point, way, own);
     const Ints steps = hn::ShiftRight<fraction_bits>(cosine);
     const Ints full = all(std::int32_t{full_weight});
     const Ints weight =
@@ -243,8 +253,9 @@ std::size_t follow(const Scene& scene, Stream<R::counts>& stream, std::size_t co
         const Lanes at_light = both(on_sphere, hn::Eq(sphere.index, light_index));
         const Lanes lit_sphere = without(on_sphere, at_light);
         const Lanes surfaces = either(lit_sphere, on_plane);
-        const Triple point = point_at(origin, direction, distance);
-        lost = either(lost, both(surfaces, out_of_bounds(scene, point)));
+        const Reached to = point_at(scene, origin, direction, distance);
+        const Triple& point = to.point;
+        lost = either(lost, both(surfaces, to.lost));
 
         // Light from the light itself.
         Ints rays = hn::Zero(words);

@@ -103,10 +103,17 @@ HWY_INLINE Lanes negative(Ints a)
 {
     return hn::Lt(a, hn::Zero(words));
 }
-HWY_INLINE Lanes positive(Ints a) { return hn::Gt(a, hn::Zero(words)); }
+HWY_INLINE Lanes positive(Ints a)
+{
+    return hn::Gt(a, hn::Zero(words));
+}
 HWY_INLINE Ints choose(Lanes where, Ints there, Ints elsewhere)
 {
     return hn::IfThenElse(where, there, elsewhere);
+}
+HWY_INLINE Lanes choose_lanes(Lanes where, Lanes there, Lanes elsewhere)
+{
+    return either(both(where, there), without(elsewhere, where));
 }
 HWY_INLINE Triple choose(Lanes where, const Triple& there, const Triple& elsewhere)
 {
@@ -114,7 +121,10 @@ HWY_INLINE Triple choose(Lanes where, const Triple& there, const Triple& elsewhe
             choose(where, there.z, elsewhere.z)};
 }
 
-HWY_INLINE Ints any_bit(const Triple& v) { return hn::Or(hn::Or(v.x, v.y), v.z); }
+HWY_INLINE Ints any_bit(const Triple& v)
+{
+    return hn::Or(hn::Or(v.x, v.y), v.z);
+}
 
 HWY_INLINE Triple operator-(const Triple& a, const Triple& b)
 {
@@ -178,7 +188,7 @@ HWY_INLINE Ints square_root(Ints v)
     return floored(root, hn::Sub(hn::ShiftLeft<fraction_bits>(v), hn::Mul(root, root)));
 }
 
-/// floor(4096 n / d), below 2^14; `scale` is 4096 / d, d positive.
+/// floor(4096 n / d), below 2^17; `scale` is 4096 / d, d positive.
 HWY_INLINE Ints divide(Ints n, Ints d, Floats scale)
 {
     const Ints quotient = nearest(hn::Mul(real(n), scale));
@@ -207,17 +217,19 @@ HWY_INLINE Ints divide_by_negated(Ints n, Ints d)
 /// The squared length of a vector that is to be normalised.
 struct SquaredLength
 {
-    Ints whole; ///< bits 35 to 12
-    Lanes lost; ///< below bounds::least_length, or longer than those bits hold
+    Ints whole;      ///< floor(N / 4096)
+    Lanes fits;      ///< it is below 2^24
+    Lanes too_short; ///< for bounds::least_length, if it fits
 };
 
 HWY_INLINE SquaredLength squared_length(Ints low, Floats estimate)
 {
     constexpr std::int32_t least =
         bounds::least_length * bounds::least_length / (1 << fraction_bits);
-    const Lanes fits = lanes_of(hn::And(hn::Gt(estimate, all(static_cast<float>(least + 4))),
-                                        hn::Lt(estimate, all(static_cast<float>((1 << 24) - 64)))));
-    return {floor_4096th(low, estimate), hn::Not(fits)};
+    const Ints whole = floor_4096th(low, estimate);
+    return {.whole = whole,
+            .fits = lanes_of(hn::Lt(estimate, all(static_cast<float>((1 << 24) - 64)))),
+            .too_short = hn::Lt(whole, all(least))};
 }
 
 /// v * k per axis, not wrapped: |v| at most bounds::direction, k a word.
@@ -231,12 +243,6 @@ HWY_INLINE Triple scaled(const Triple& v, Ints k)
     return {axis(v.x), axis(v.y), axis(v.z)};
 }
 
-HWY_INLINE Triple point_at(const Triple& origin, const Triple& direction, Ints distance)
-{
-    const Triple way = scaled(direction, distance);
-    return {hn::Add(origin.x, way.x), hn::Add(origin.y, way.y), hn::Add(origin.z, way.z)};
-}
-
 /// Some lanes of any number of vectors, stored close together. What follows them in memory, up to a
 /// vector, is overwritten.
 class Packing
@@ -245,12 +251,14 @@ class Packing
 #if HWY_TARGET == HWY_AVX2
     // One permutation for all vectors: Highway would find it again for each of them.
     HWY_INLINE explicit Packing(Lanes kept)
-        : bits_(static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(kept.raw)))),
-          order_(_mm256_cvtepu8_epi32(_mm_loadl_epi64(
+        : bits_(static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(kept.raw))))
+        , order_(_mm256_cvtepu8_epi32(_mm_loadl_epi64(
               reinterpret_cast<const __m128i*>(packing_order[bits_].data())))) // NOLINT
+    {}
+    [[nodiscard]] HWY_INLINE std::size_t count() const
     {
+        return hwy::PopCount(bits_);
     }
-    [[nodiscard]] HWY_INLINE std::size_t count() const { return hwy::PopCount(bits_); }
     HWY_INLINE void store(Ints value, std::int32_t* to) const
     {
         hn::StoreU(Ints{_mm256_permutevar8x32_epi32(value.raw, order_)}, words, to);
@@ -261,7 +269,10 @@ class Packing
     __m256i order_;
 #else
     HWY_INLINE explicit Packing(Lanes kept) : kept_(kept) {}
-    [[nodiscard]] HWY_INLINE std::size_t count() const { return hn::CountTrue(words, kept_); }
+    [[nodiscard]] HWY_INLINE std::size_t count() const
+    {
+        return hn::CountTrue(words, kept_);
+    }
     HWY_INLINE void store(Ints value, std::int32_t* to) const
     {
         hn::CompressStore(value, kept_, words, to);

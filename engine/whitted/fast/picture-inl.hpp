@@ -36,7 +36,7 @@ void set_out(const Lattice& lattice, std::size_t row, std::size_t first, std::si
                            hn::Mul(hn::MulAdd(x_, x_, rest), all(1.0F / 4096.0F)));
         const Triple direction = divide({x, y, z}, square_root(squared.whole));
         const Lanes here = hn::FirstN(words, end - at);
-        const Lanes tame = without(here, squared.lost);
+        const Lanes tame = both(here, without(squared.fits, squared.too_short));
         const Ints slot = hn::Iota(words, static_cast<std::int32_t>(row * row_samples + at));
         const Packing packing(tame);
         const auto keep = [&](std::int32_t* column, Ints value) {
@@ -47,7 +47,7 @@ void set_out(const Lattice& lattice, std::size_t row, std::size_t first, std::si
         keep(stream.direction_z, direction.z);
         keep(stream.slot, slot);
         count += packing.count();
-        lose(results, both(here, squared.lost), slot);
+        lose(results, without(here, tame), slot);
     }
 }
 

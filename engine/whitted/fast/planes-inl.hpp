@@ -26,10 +26,11 @@ struct PlaneHit
     Ints cycles;
 };
 
+/// Of a point that is a word.
 HWY_INLINE Lanes within_limits(const Plane& plane, const Triple& point)
 {
     const auto axis = [](Ints c, std::uint16_t limit) {
-        return hn::Lt(hn::ShiftRight<fraction_bits>(hn::Abs(wrapped(c))),
+        return hn::Lt(hn::ShiftRight<fraction_bits>(hn::Abs(c)),
                       all(static_cast<std::int32_t>(limit)));
     };
     return both(both(axis(point.x, plane.limits[0]), axis(point.y, plane.limits[1])),
@@ -72,13 +73,13 @@ HWY_INLINE PlaneHit nearest_plane(const Scene& scene, Lanes searching, const Tri
         if (moves || plane.bounded) {
             if (none(nearer))
                 continue;
-            const Triple point = point_at(origin, direction, distance);
+            const Reached to = point_at(scene, origin, direction, distance);
             if constexpr (moves) {
-                hit.lost = either(hit.lost, both(nearer, out_of_bounds(scene, point)));
-                from = choose(nearer, point, from);
+                hit.lost = either(hit.lost, both(nearer, to.lost));
+                from = choose(nearer, to.point, from);
             }
             if (plane.bounded)
-                nearer = both(nearer, within_limits(plane, point));
+                nearer = both(nearer, within_limits(plane, to.point));
         }
         hit.any = either(hit.any, nearer);
         hit.index = choose(nearer, all(static_cast<std::int32_t>(i)), hit.index);

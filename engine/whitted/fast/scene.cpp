@@ -80,7 +80,8 @@ PlaneColumns columns_of_planes(const Frame& frame) noexcept
 /// The largest of the spheres; they decide how far points may be away.
 struct Extent
 {
-    double centre = 0; ///< the largest |centre|
+    double centre = 0;     ///< the largest |centre|
+    double coordinate = 0; ///< the largest of any of them
     double radius = 0;
 };
 
@@ -89,27 +90,36 @@ Extent extent_of(const Frame& frame) noexcept
     Extent extent;
     for (std::size_t i = 0; i <= frame.last; ++i) {
         extent.centre = std::max(extent.centre, length_of(frame.spheres[i].centre));
-        extent.radius = std::max(extent.radius, std::sqrt(double(estimate(
-                                                    frame.spheres[i].squared_radius))));
+        for (const Word c :
+             {frame.spheres[i].centre.x, frame.spheres[i].centre.y, frame.spheres[i].centre.z})
+            extent.coordinate = std::max(extent.coordinate, std::abs(double(c.raw())));
+        extent.radius =
+            std::max(extent.radius, std::sqrt(double(estimate(frame.spheres[i].squared_radius))));
     }
     return extent;
 }
 
-/// How far from the origin a ray may start so that nothing wraps, or 0.
-double bound_of(const Frame& frame, const Extent& extent) noexcept
+bool is_tame(const Frame& frame, const Extent& extent) noexcept
 {
-    if (extent.radius > double{bounds::radius} * (1 << fraction_bits))
-        return 0;
-    double bound = bounds::reach - extent.centre;
     if (frame.planes_drawn)
-        for (const Plane& plane : frame.planes) {
-            const double normal = length_of(plane.normal);
-            if (normal > bounds::plane_normal)
-                return 0;
-            const double room = bounds::word_end - 4 - std::abs(double(plane.offset.raw()));
-            bound = std::min(bound, room * (1 << fraction_bits) / std::max(normal, 1.0));
-        }
-    return std::max(bound, 0.0);
+        for (const Plane& plane : frame.planes)
+            if (length_of(plane.normal) > bounds::plane_normal)
+                return false;
+    return extent.radius <= double{bounds::radius} * (1 << fraction_bits) &&
+           extent.centre < bounds::reach;
+}
+
+void set_bounds(Scene& scene, const Extent& extent) noexcept
+{
+    constexpr double rounding = 1 - 1.0 / (1 << 18); // of estimates that are held against them
+    const double reach = bounds::reach - extent.centre;
+    const double coordinate = bounds::word_end - 1 - extent.coordinate;
+    const double near = std::min(reach, coordinate);
+    scene.coordinate_bound = static_cast<std::int32_t>(coordinate);
+    scene.squared_bound = static_cast<float>(reach * reach * rounding);
+    scene.squared_near = static_cast<float>(near * near * rounding);
+    constexpr double light_reach = 1024 * (1 << fraction_bits);
+    scene.light_is_near = 2 * extent.centre + light_reach < bounds::reach_along;
 }
 
 bool eye_inside(const Frame& frame) noexcept
@@ -127,8 +137,7 @@ Margins margins_of(const Extent& extent) noexcept
     const double chord = std::ldexp(1.0, -18);
     return {.along = static_cast<float>(along * 1.5 * centre),
             .along_squared = static_cast<float>(along * 0.5 / centre),
-            .chord = static_cast<float>(
-                chord * (centre * centre + extent.radius * extent.radius)),
+            .chord = static_cast<float>(chord * (centre * centre + extent.radius * extent.radius)),
             .chord_squared = static_cast<float>(chord)};
 }
 
@@ -138,11 +147,12 @@ Scene make_scene(const Frame& frame) noexcept
 {
     Scene scene{.frame = frame};
     const Extent extent = extent_of(frame);
-    const double bound = bound_of(frame, extent);
-    if (length_of(frame.eye) >= bound)
+    if (!is_tame(frame, extent))
         return scene;
-    constexpr double rounding = 1 - 1.0 / (1 << 18); // of estimates that are held against it
-    scene.squared_bound = static_cast<float>(bound * bound * rounding);
+    set_bounds(scene, extent);
+    const double eye = length_of(frame.eye);
+    if (eye * eye >= double{scene.squared_near})
+        return scene;
     scene.kind = eye_inside(frame) ? Scene::Kind::Black : Scene::Kind::Tame;
     scene.margins = margins_of(extent);
     scene.spheres = columns_of_spheres(frame);

@@ -32,8 +32,14 @@ inline constexpr std::int32_t least_length = 256;
 inline constexpr std::int32_t normal_component = 5000;
 /// |normal| of a plane, raw.
 inline constexpr std::int32_t plane_normal = 4300;
-/// |centre| + |point|, raw: times direction / 4096, and 2^18 more, it is still a word.
-inline constexpr std::int32_t reach = 7'800'000;
+/// |centre| + |point|, raw: its square is a Wide.
+inline constexpr std::int32_t reach = 11'600'000;
+/// The same of a way along a unit direction: times bounds::direction / 4096 it is still a word.
+inline constexpr std::int32_t reach_along = 8'100'000;
+/// Of a way to a light that is not normalised as it should be, in unit vectors.
+inline constexpr std::int32_t wrapped_direction = 16;
+/// Of `along`, raw: 2^18 more is still a word.
+inline constexpr std::int32_t along = word_end - (1 << 18);
 /// Of a sphere, in units: the square of the half chord, over 2^12, is below 2^30.
 inline constexpr std::int32_t radius = 512;
 } // namespace bounds
@@ -73,14 +79,17 @@ struct Margins
 struct Scene
 {
     enum class Kind : std::uint8_t {
-        Tame,  ///< nothing wraps while points stay within `squared_bound`
+        Tame,  ///< nothing wraps while points stay within the bounds
         Black, ///< the eye is inside a sphere: every sample is black
         Wild,  ///< for the reference alone
     };
 
     Frame frame;
     Kind kind = Kind::Wild;
-    float squared_bound = 0; ///< of the squared length of every point that a ray starts from
+    std::int32_t coordinate_bound = 0; ///< of every point that a ray starts from
+    float squared_bound = 0;           ///< of its squared length
+    float squared_near = 0;            ///< points that are nearer keep both
+    bool light_is_near = false; ///< whatever is within 1024 of it lies within 2^23 / 1.035 of all
     Margins margins{};
     SphereColumns spheres{};
     PlaneColumns planes{};

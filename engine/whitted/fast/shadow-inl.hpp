@@ -24,7 +24,8 @@ struct Way
     Ints distance;
     Ints squared;    ///< N, the squared length over 256: its low 32 bits
     Floats squared_; ///< an estimate of it
-    Lanes lost;      ///< too long or too short
+    Lanes wrapped;   ///< N is more than 36 bits: the direction may be anything but a unit vector
+    Lanes lost;      ///< too short, or not even nearly a unit vector
 };
 
 HWY_INLINE Way way_to_light(const Triple& point, const Vector& light)
@@ -36,8 +37,16 @@ HWY_INLINE Way way_to_light(const Triple& point, const Vector& light)
     const Real3 way_ = real(way);
     Way to{.squared = dot(way, way), .squared_ = dot(way_, way_, hn::Zero(reals))};
     const Floats estimate = hn::Mul(to.squared_, all(1.0F / 4096.0F));
-    const SquaredLength squared = squared_length(to.squared, estimate);
-    to.lost = squared.lost;
+    SquaredLength squared = squared_length(to.squared, estimate);
+    to.wrapped = hn::Not(squared.fits);
+    to.lost = squared.too_short;
+    if (HWY_UNLIKELY(!none(to.wrapped))) {
+        // The root takes the lower 24 bits of what it gets.
+        squared.whole = hn::And(squared.whole, all((1 << 24) - 1));
+        constexpr float longest = bounds::wrapped_direction * bounds::wrapped_direction - 1;
+        to.lost = lanes_of(hn::Or(hn::Lt(real(squared.whole), all(16.0F)),
+                                  hn::Gt(estimate, hn::Mul(real(squared.whole), all(longest)))));
+    }
     const Ints n = square_root(squared.whole);
     to.direction = divide(way, n);
     to.distance = hn::ShiftLeft<light_shift>(n);
@@ -51,16 +60,14 @@ struct Shadow
 };
 
 /// tca <= distance, or (tca - distance)^2 < h: the sphere stands before the light.
-HWY_INLINE Lanes enters_before(const Approached& exact, Ints distance, const Estimate& to)
+HWY_INLINE Lanes enters_before(const Approached& exact, Ints distance)
 {
     const Lanes beyond = hn::Gt(exact.along, distance);
     if (HWY_LIKELY(none(beyond)))
         return hn::Not(beyond);
     const Ints excess = hn::Sub(exact.along, distance);
     const Floats excess_ = real(excess);
-    const Floats along_ = real(exact.along);
-    const Floats chord_ = hn::MulAdd(along_, along_, to.gap);
-    const Floats difference = hn::NegMulAdd(chord_, all(1.0F), hn::Mul(excess_, excess_));
+    const Floats difference = hn::Sub(hn::Mul(excess_, excess_), exact.half_chord_);
     const Lanes inside = negative(hn::Sub(hn::Mul(excess, excess), exact.half_chord),
                                   hn::Mul(difference, all(1.0F / 4096.0F)));
     return either(hn::Not(beyond), inside);
@@ -68,7 +75,7 @@ HWY_INLINE Lanes enters_before(const Approached& exact, Ints distance, const Est
 
 /// Which of the points in `searching` a sphere keeps the light from. `own` is the sphere that each
 /// is on, or what the original takes for it (R2).
-template <typename R>
+template <typename R, Length length>
 HWY_INLINE Shadow search_shadow(const Scene& scene, Lanes searching, const Triple& point,
                                 const Way& way, Ints own)
 {
@@ -80,15 +87,14 @@ HWY_INLINE Shadow search_shadow(const Scene& scene, Lanes searching, const Tripl
             break;
         const Estimate to = estimate(spheres, i, ray);
         const Lanes own_one = hn::Eq(own, all(static_cast<std::int32_t>(i)));
-        Lanes passes = to.passes();
-        if constexpr (R::has(Defect::ShadowDistance)) // its own sphere blocks even where missed
-            passes = negative(choose(own_one, hn::BitCast(words, to.along),
-                                     hn::BitCast(words, hn::Or(to.along, to.half_chord))));
-        if constexpr (!R::counts)
+        if constexpr (!R::counts && length == Length::Unit) {
+            Lanes passes = to.passes();
+            if constexpr (R::has(Defect::ShadowDistance)) // its own sphere blocks even where missed
+                passes = choose_lanes(own_one, negative(hn::BitCast(words, to.along)), passes);
             if (none(without(searching, passes)))
                 continue;
-        const Approached exact = approach(spheres, i, ray, to);
-        const Lanes misses = either(to.passes(), negative(exact.chord_4096th));
+        }
+        const Approached exact = approach<length>(spheres, i, ray, to);
         Lanes blocks{};
         Ints spent = hn::Zero(words);
         if constexpr (R::has(Defect::ShadowDistance)) {
@@ -100,20 +106,20 @@ HWY_INLINE Shadow search_shadow(const Scene& scene, Lanes searching, const Tripl
                 hn::Add(hn::ShiftLeft<2 * light_shift>(way.squared), all(spheres.radius[i])),
                 exact.squared_distance);
             const Lanes too_far = negative(far, hn::Mul(far_, all(1.0F / 4096.0F)));
-            const Lanes behind = negative(exact.along);
             const Lanes within = either(own_one, from_inside(spheres, i, to, exact));
-            blocks = without(either(within, hn::Not(misses)), either(too_far, behind));
+            blocks = without(either(within, hn::Not(exact.misses)), either(too_far, exact.behind));
             if constexpr (R::counts) {
                 const bool at_the_end = i + 1U == scene.frame.last;
-                spent = choose(
-                    too_far, all(cycles::too_far + (at_the_end ? cycles::too_far_at_the_end : 0)),
-                    choose(behind, all(cycles::behind),
-                           choose(within, all(cycles::blocked_within),
-                                  choose(misses, all(cycles::missed), all(cycles::blocked)))));
+                spent = choose(too_far,
+                               all(cycles::too_far + (at_the_end ? cycles::too_far_at_the_end : 0)),
+                               choose(exact.behind, all(cycles::behind),
+                                      choose(within, all(cycles::blocked_within),
+                                             choose(exact.misses, all(cycles::missed),
+                                                    all(cycles::blocked)))));
             }
         } else {
-            const Lanes behind = either(negative(exact.along), own_one);
-            blocks = without(enters_before(exact, way.distance, to), either(misses, behind));
+            const Lanes behind = either(exact.behind, own_one);
+            blocks = without(enters_before(exact, way.distance), either(exact.misses, behind));
             if constexpr (R::counts)
                 spent = choose(behind, all(cycles::behind),
                                choose(blocks, all(cycles::blocked), all(cycles::missed)));

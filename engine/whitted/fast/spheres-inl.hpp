@@ -68,30 +68,21 @@ HWY_INLINE Estimate estimate(const SphereColumns& spheres, std::size_t i, const 
     return to;
 }
 
+/// How long directions are: unit vectors, or the ways to a light so far off that its squared
+/// distance has wrapped. Of those no estimate tells what they miss.
+enum class Length : bool { Unit, Wrapped };
+
 /// The exact numbers of Approach.
 struct Approached
 {
-    Ints along;            ///< tca; negative where m is
+    Lanes behind;          ///< m < 0
+    Ints along;            ///< tca
     Ints squared_distance; ///< L, its low 32 bits
     Ints half_chord;       ///< h, its low 32 bits
-    Ints chord_4096th;     ///< floor(h / 4096), where the estimate of h is not negative
+    Floats half_chord_;    ///< an estimate of it
+    Ints chord_4096th;     ///< floor(h / 4096), of a unit direction where !misses
+    Lanes misses;          ///< h < 0, or behind
 };
-
-HWY_INLINE Approached approach(const SphereColumns& spheres, std::size_t i, const Approaching& ray,
-                               const Estimate& to)
-{
-    const Triple centre{all(spheres.x[i]), all(spheres.y[i]), all(spheres.z[i])};
-    const Triple way = centre - ray.from;
-    Approached exact{.along = floor_4096th(dot(ray.direction, way), to.along),
-                     .squared_distance = dot(way, way)};
-    exact.half_chord = hn::Add(hn::Sub(hn::Mul(exact.along, exact.along), exact.squared_distance),
-                               all(spheres.squared_radius[i]));
-    // Nearer than the estimate that began with an inexact `along`.
-    const Floats along = real(exact.along);
-    const Floats chord = hn::Mul(hn::MulAdd(along, along, to.gap), all(1.0F / 4096.0F));
-    exact.chord_4096th = floor_4096th(exact.half_chord, chord);
-    return exact;
-}
 
 /// Where x, with these low 32 bits and this estimate of its 4096th that is good within 2^18, is
 /// negative; x may be anything.
@@ -99,6 +90,33 @@ HWY_INLINE Lanes negative(Ints low, Floats estimate)
 {
     const Floats far = all(1073741824.0F);
     return negative(floor_4096th(low, hn::Max(hn::Min(estimate, far), hn::Neg(far))));
+}
+
+template <Length length>
+HWY_INLINE Approached approach(const SphereColumns& spheres, std::size_t i, const Approaching& ray,
+                               const Estimate& to)
+{
+    const Triple centre{all(spheres.x[i]), all(spheres.y[i]), all(spheres.z[i])};
+    const Triple way = centre - ray.from;
+    Approached exact{.along = floor_4096th(dot(ray.direction, way), to.along),
+                     .squared_distance = dot(way, way)};
+    exact.behind = negative(exact.along);
+    if constexpr (length == Length::Wrapped)
+        exact.along = wrapped(exact.along);
+    exact.half_chord = hn::Add(hn::Sub(hn::Mul(exact.along, exact.along), exact.squared_distance),
+                               all(spheres.squared_radius[i]));
+    // Nearer than the estimate that began with an inexact `along`.
+    const Floats along = real(exact.along);
+    exact.half_chord_ = hn::MulAdd(along, along, to.gap);
+    const Floats chord_4096th = hn::Mul(exact.half_chord_, all(1.0F / 4096.0F));
+    if constexpr (length == Length::Unit) {
+        exact.chord_4096th = floor_4096th(exact.half_chord, chord_4096th);
+        exact.misses = either(to.passes(), negative(exact.chord_4096th));
+    } else {
+        exact.chord_4096th = hn::Zero(words);
+        exact.misses = negative(exact.half_chord, chord_4096th);
+    }
+    return exact;
 }
 
 /// Where the ray begins inside the sphere: L < r^2.
@@ -115,7 +133,7 @@ struct SphereHit
     Lanes any;
     Ints index;
     Ints distance;
-    Lanes lost; ///< a point that was kept is beyond the bounds
+    Lanes lost; ///< a sphere met, or a point that was kept, is beyond the bounds
     Ints cycles;
 };
 
@@ -126,11 +144,30 @@ HWY_INLINE Ints key_of(Ints distance)
     return R::has(Defect::UnsignedDistance) ? hn::And(distance, all((1 << 24) - 1)) : distance;
 }
 
-/// Beyond the bounds: for the reference.
-HWY_INLINE Lanes out_of_bounds(const Scene& scene, const Triple& point)
+/// A point of rays that were followed to their ends.
+struct Reached
 {
-    const Real3 point_ = real(point);
-    return lanes_of(hn::Gt(dot(point_, point_, hn::Zero(reals)), all(scene.squared_bound)));
+    Triple point;
+    Lanes lost; ///< it is beyond the bounds
+};
+
+HWY_INLINE Reached point_at(const Scene& scene, const Triple& origin, const Triple& direction,
+                            Ints distance)
+{
+    const Triple way = scaled(direction, distance);
+    Reached to{
+        .point = {hn::Add(origin.x, way.x), hn::Add(origin.y, way.y), hn::Add(origin.z, way.z)}};
+    const auto beyond = [&](float squared_bound) {
+        const Real3 point_ = real(to.point);
+        return lanes_of(hn::Gt(dot(point_, point_, hn::Zero(reals)), all(squared_bound)));
+    };
+    to.lost = beyond(scene.squared_near);
+    if (HWY_UNLIKELY(!none(to.lost))) { // whatever is near is a word
+        to.point = {wrapped(to.point.x), wrapped(to.point.y), wrapped(to.point.z)};
+        to.lost = either(beyond(scene.squared_bound),
+                         hn::Gt(reach_of(to.point), all(scene.coordinate_bound)));
+    }
+    return to;
 }
 
 /// The spheres in order; `ray` follows the kept points where they move it (R1). `own` is the sphere
@@ -155,12 +192,12 @@ HWY_INLINE SphereHit nearest_sphere(const Scene& scene, Approaching& ray, Ints o
         if constexpr (!R::counts)
             if (every(passes))
                 continue;
-        const Approached exact = approach(spheres, i, ray, to);
-        Lanes meets = hn::Not(either(passes, negative(exact.chord_4096th)));
-        Lanes behind = negative(exact.along);
+        const Approached exact = approach<Length::Unit>(spheres, i, ray, to);
+        Lanes behind = exact.behind;
         if constexpr (skips_own)
             behind = either(behind, hn::Eq(own, all(static_cast<std::int32_t>(i))));
-        meets = without(meets, behind);
+        const Lanes meets = hn::Not(either(behind, exact.misses));
+        hit.lost = either(hit.lost, both(meets, hn::Gt(exact.along, all(bounds::along))));
         if constexpr (R::counts)
             hit.cycles =
                 hn::Add(hit.cycles, choose(behind, all(cycles::behind),
@@ -174,7 +211,7 @@ HWY_INLINE SphereHit nearest_sphere(const Scene& scene, Approaching& ray, Ints o
         const Ints key = key_of<R>(distance);
         Lanes nearer = both(meets, hn::Lt(key, best));
         if constexpr (!R::has(Defect::UnsignedDistance))
-            nearer = both(nearer, hn::Gt(distance, hn::Zero(words)));
+            nearer = both(nearer, positive(distance));
         hit.any = either(hit.any, nearer);
         hit.index = choose(nearer, all(static_cast<std::int32_t>(i)), hit.index);
         hit.distance = choose(nearer, distance, hit.distance);
@@ -182,9 +219,9 @@ HWY_INLINE SphereHit nearest_sphere(const Scene& scene, Approaching& ray, Ints o
         if constexpr (moves) {
             if (none(nearer))
                 continue;
-            const Triple point = point_at(origin, ray.direction, distance);
-            hit.lost = either(hit.lost, both(nearer, out_of_bounds(scene, point)));
-            ray = approaching(scene, choose(nearer, point, ray.from), ray.direction);
+            const Reached to = point_at(scene, origin, ray.direction, distance);
+            hit.lost = either(hit.lost, both(nearer, to.lost));
+            ray = approaching(scene, choose(nearer, to.point, ray.from), ray.direction);
         }
     }
     if constexpr (R::counts)
