@@ -32,28 +32,6 @@ Vector screen_at(const Frame& frame, PictureSize size, int u, int v) noexcept
     return screen_point(frame, size, x.pixel, y.pixel, {x.beside, y.beside, 0});
 }
 
-/// The bytes of a pixel from its packed sum.
-void put_pixel(std::uint32_t sum, bool light, std::span<std::uint8_t> bytes) noexcept
-{
-    const auto channel = [&](int shift) {
-        constexpr int dropped_bits = 5;
-        return static_cast<std::uint8_t>((sum >> (shift + dropped_bits)) & 0x1F);
-    };
-    const FrameWord word{
-        .light = light,
-        .channels = {channel(Packed::red), channel(Packed::green), channel(Packed::blue)}};
-    std::ranges::copy(displayed(word), bytes.begin());
-}
-
-/// Each channel of a packed colour shifted right.
-std::uint32_t share(std::int32_t colour, unsigned shift) noexcept
-{
-    constexpr std::uint32_t lowest_bits =
-        1U << Packed::red | 1U << Packed::green | 1U << Packed::blue;
-    const std::uint32_t kept = (static_cast<std::uint32_t>(Packed::channel_mask) >> shift);
-    return (static_cast<std::uint32_t>(colour) >> shift) & (kept * lowest_bits);
-}
-
 } // namespace
 
 Lattice::Lattice(const Frame& frame, const Region& region, unsigned first_pixel) noexcept
@@ -62,15 +40,15 @@ Lattice::Lattice(const Frame& frame, const Region& region, unsigned first_pixel)
     , step_(region.step)
     , pixels_(std::min<std::size_t>(
           tile_width, (region.x + region.width - first_pixel + region.step - 1U) / region.step))
-    , odd_stride_(region.step == 1 ? 1 : 2)
+    , to_the_right_(region.step == 1 ? 1 : pixels_)
     , anti_aliasing_(frame.anti_aliasing)
     , defects_(frame.defects)
 {
     for (std::size_t i = 0; i < pixels_; ++i)
         for (const int dx : {-1, 0, 1})
-            u_[column_of(i, dx)] = static_cast<int>(2 * (first_pixel_ + i * step_)) + dx;
+            u_[first_column(dx) + i] = static_cast<int>(2 * (first_pixel_ + i * step_)) + dx;
     const Part even{0, pixels_};
-    const Part odd{odd_columns, column_of(pixels_ - 1, 1) + 1};
+    const Part odd{odd_columns, first_column(1) + pixels_};
     both_ = {even, odd};
     even_ = {even};
     odd_ = {odd};
@@ -124,34 +102,16 @@ void Lattice::draw_lost(const Frame& frame, Results& results) const noexcept
     results.lost_count = 0;
 }
 
-void Lattice::put_pixels(const Results& results, const Canvas& canvas) const noexcept
-{
-    const std::span<const SamplePlace> places = sample_places(anti_aliasing_);
-    const bool by_end = defects_.has(Defect::LastHitIsLight);
-    const SamplePlace& flag = by_end ? places.back() : places.front();
-    const std::int32_t flag_bit = by_end ? Packed::ends_at_light : Packed::sees_light;
-    const bool black = y_ == 0 && defects_.has(Defect::UnsignedPixel);
-    for (std::size_t i = 0; i < pixels_; ++i) {
-        std::uint32_t sum = 0;
-        for (const SamplePlace& place : places)
-            sum += share(results.sums[slot_of(i, place.dx, place.dy)], place.shift);
-        const bool light = (results.sums[slot_of(i, flag.dx, flag.dy)] & flag_bit) != 0;
-        const std::size_t at = std::size_t{y_} * size_.width + first_pixel_ + i * step_;
-        put_pixel(black ? 0 : sum, light && !black,
-                  canvas.rgb.subspan(bytes_per_pixel * at, bytes_per_pixel));
-    }
-}
-
 void Lattice::put_costs(const Results& results, const Canvas& canvas) const noexcept
 {
     for (std::size_t i = 0; i < pixels_; ++i) {
         PixelCost cost;
         for (const SamplePlace& place : sample_places(anti_aliasing_)) {
-            const std::size_t slot = slot_of(i, place.dx, place.dy);
+            const std::size_t slot = first_slot(place) + i;
             cost.steps += static_cast<std::uint32_t>(results.cycles[slot]);
             cost.rays += static_cast<std::uint32_t>(results.rays[slot]);
         }
-        canvas.costs[std::size_t{y_} * size_.width + first_pixel_ + i * step_] = cost;
+        canvas.costs[at(i)] = cost;
     }
 }
 

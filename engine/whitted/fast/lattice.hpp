@@ -7,6 +7,7 @@
 #include "engine/model.hpp"
 #include "engine/whitted/fast/scene.hpp"
 #include "engine/whitted/fast/stream.hpp"
+#include "engine/whitted/ray_setup.hpp"
 
 #include <array>
 #include <cstddef>
@@ -47,7 +48,6 @@ class Lattice
     /// Traces what the kernel gave up, by the reference.
     void draw_lost(const Frame& frame, Results& results) const noexcept;
 
-    void put_pixels(const Results& results, const Canvas& canvas) const noexcept;
     void put_costs(const Results& results, const Canvas& canvas) const noexcept;
 
     /// Columns: those of pixels first, then the odd ones.
@@ -55,24 +55,37 @@ class Lattice
     Word z;
     std::array<Row, sample_rows> rows; ///< odd, even (the pixels'), odd
 
+    [[nodiscard]] std::size_t pixels() const noexcept { return pixels_; }
+    /// Where sample `place` of the first pixel stands; those of the others follow it.
+    [[nodiscard]] std::size_t first_slot(const SamplePlace& place) const noexcept
+    {
+        return (place.dy == 0 ? 1U : row_of_[place.dy > 0 ? 1 : 0]) * row_samples +
+               first_column(place.dx);
+    }
+    /// Where pixel i stands in the picture.
+    [[nodiscard]] std::size_t at(std::size_t i) const noexcept
+    {
+        return std::size_t{y_} * size_.width + first_pixel_ + i * step_;
+    }
+    /// Row 0 of the original (R6).
+    [[nodiscard]] bool is_black() const noexcept
+    {
+        return y_ == 0 && defects_.has(Defect::UnsignedPixel);
+    }
+
   private:
     static constexpr std::size_t odd_columns = tile_width; ///< the first of them
 
-    /// Where the samples (-1, 0 or 1) beside pixel i stand in a row.
-    [[nodiscard]] std::size_t column_of(std::size_t pixel, int dx) const noexcept
+    [[nodiscard]] std::size_t first_column(int dx) const noexcept
     {
-        return dx == 0 ? pixel : odd_columns + pixel * odd_stride_ + (dx > 0 ? 1 : 0);
-    }
-    [[nodiscard]] std::size_t slot_of(std::size_t pixel, int dx, int dy) const noexcept
-    {
-        return (dy == 0 ? 1U : row_of_[dy > 0 ? 1 : 0]) * row_samples + column_of(pixel, dx);
+        return dx == 0 ? 0 : dx < 0 ? odd_columns : odd_columns + to_the_right_;
     }
 
     PictureSize size_;
     unsigned first_pixel_;
     unsigned step_;
     std::size_t pixels_;
-    std::size_t odd_stride_; ///< 1 where neighbours share columns, else 2
+    std::size_t to_the_right_; ///< from the column left of a pixel to the one right of it
     AntiAliasing anti_aliasing_;
     Defects defects_;
     unsigned y_ = 0;

@@ -7,6 +7,8 @@
 #include "engine/whitted/fast/bounce-inl.hpp"
 #include "engine/whitted/fast/lattice.hpp"
 
+#include <algorithm>
+
 #if defined(RAYMARCH_WHITTED_PICTURE) == defined(HWY_TARGET_TOGGLE) // NOLINT
 #ifdef RAYMARCH_WHITTED_PICTURE
 #undef RAYMARCH_WHITTED_PICTURE
@@ -84,6 +86,52 @@ void trace_rows(const Scene& scene, Lattice& lattice, Stream<R::counts>& stream,
     follow_all<R>(scene, lattice, stream, count, results);
 }
 
+/// Puts the samples of the lattice's pixels together.
+template <typename R>
+void put_pixels(const Frame& frame, const Lattice& lattice, const Results& results,
+                const Canvas& canvas)
+{
+    const std::span<const SamplePlace> places = sample_places(frame.anti_aliasing);
+    constexpr bool by_end = R::has(Defect::LastHitIsLight);
+    const SamplePlace& flag = by_end ? places.back() : places.front();
+    for (std::size_t i = 0; i < lattice.pixels(); i += lane_count) {
+        const auto load = [&](const SamplePlace& place) {
+            return hn::LoadU(words, results.sums.data() + lattice.first_slot(place) + i);
+        };
+        // Shares of 10 bits that sum up to no more than 10 bits: all channels at once.
+        Ints sum = hn::Zero(words);
+        for (const SamplePlace& place : places) {
+            const std::int32_t kept = Packed::channel_mask >> place.shift;
+            const Ints share = hn::ShiftRightSame(load(place), place.shift);
+            sum = hn::Add(sum, hn::And(share, all(kept << Packed::red | kept << Packed::green |
+                                                  kept << Packed::blue)));
+        }
+        // `displayed`: the upper 5 of 10 bits, and those of the light behind them.
+        const auto byte = [&](Ints channels, std::int32_t place) {
+            return hn::And(channels, all(0xF8 << place));
+        };
+        const Ints red = byte(hn::ShiftRight<Packed::red + 2>(sum), 0);
+        const Ints green = byte(hn::ShiftRight<Packed::green + 2 - 8>(sum), 8);
+        const Ints blue = byte(hn::ShiftRight<Packed::blue + 2 - 16>(sum), 16);
+        const Lanes light =
+            hn::Ne(hn::And(load(flag), all(by_end ? Packed::ends_at_light : Packed::sees_light)),
+                   hn::Zero(words));
+        Ints bytes =
+            hn::Or(hn::Or(red, green), hn::Or(blue, hn::IfThenElseZero(light, all(0x07'07'07))));
+        if (lattice.is_black())
+            bytes = hn::Zero(words);
+
+        Storage<lane_count> pixels{};
+        hn::Store(bytes, words, pixels.data());
+        for (std::size_t lane = 0; lane < std::min(lane_count, lattice.pixels() - i); ++lane) {
+            std::uint8_t* const to = canvas.rgb.data() + bytes_per_pixel * lattice.at(i + lane);
+            to[0] = static_cast<std::uint8_t>(pixels[lane]);
+            to[1] = static_cast<std::uint8_t>(pixels[lane] >> 8);
+            to[2] = static_cast<std::uint8_t>(pixels[lane] >> 16);
+        }
+    }
+}
+
 template <typename R>
 void draw_tame(const Scene& scene, const Region& region, const Canvas& canvas)
 {
@@ -96,7 +144,7 @@ void draw_tame(const Scene& scene, const Region& region, const Canvas& canvas)
         for (unsigned y = region.y; y < unsigned{region.y} + region.height; y += step) {
             lattice.move_to(scene.frame, y);
             trace_rows<R>(scene, lattice, stream, results);
-            lattice.put_pixels(results, canvas);
+            put_pixels<R>(scene.frame, lattice, results, canvas);
             if constexpr (R::counts)
                 lattice.put_costs(results, canvas);
         }

@@ -65,7 +65,7 @@ struct Results
 {
     static constexpr std::size_t slots = sample_rows * row_samples;
 
-    Storage<slots> sums;
+    Storage<slots + longest_vector> sums;
     Storage<slots + longest_vector> lost; ///< those that are left to the reference
     std::size_t lost_count = 0;
     Storage<slots> cycles; ///< only where they are counted
