@@ -56,6 +56,7 @@ App::App(Config config, Reload reload, EventLoop& loop)
     , animate_timer_(loop.add_timer([this] { animate(); }))
     , hardware_(config_, loop, [this] { controller_.board_is_back(hardware_.accelerator()); })
     , controller_(*config_.accelerator, policy_of(config_), hardware_, *this, *this, random_seed())
+    , panel_(config_.gpio, loop, controller_, hardware_, drivers::open_gpio_line)
     , retry_serial_(loop.add_timer([this] { open_serial(); }))
     , retry_control_(loop.add_timer([this] { open_control(); }))
 {
@@ -79,6 +80,7 @@ Result<void> App::run()
     restore_state(); // before the hardware, which asks for the state as soon as it is found
     hardware_.start();
     open_serial();
+    panel_.start();
     open_control();
     if (loop_.feed_watchdog())
         log::info("the watchdog is fed from the event loop");
@@ -272,6 +274,7 @@ void App::write_status(protocol::ReplyWriter& reply)
     if (serial_)
         reply << " hang_ups=" << serial_->session().hang_ups();
     hardware_.write_status(reply);
+    panel_.write_status(reply);
     reply << " overlay=unknown clients=" << std::uint64_t{clients_.size()}
           << " dropped_replies=" << dropped
           << " uptime=" << static_cast<std::uint64_t>(uptime.count());

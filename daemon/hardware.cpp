@@ -116,7 +116,7 @@ Result<void> Hardware::open()
         return fail(path.error());
     bus_ = std::move(*bus);
     path_ = *path;
-    frames_before_ = path_->frames();
+    frames_before_ = frames_seen_ = path_->frames();
     status_before_ = std::chrono::steady_clock::now();
     if (bus_->interrupt_fd() >= 0)
         interrupt_ =
@@ -224,13 +224,34 @@ void Hardware::retry_deferred()
         settle(path_->retry());
 }
 
+/// Of a block that is there.
+bool Hardware::at_fault() const
+{
+    return faulty_ || (path_->status() & protocol::status::fault) != 0;
+}
+
+Health Hardware::health()
+{
+    if (!path_)
+        return {.fault = true, .running = false};
+    const bool fault = at_fault();
+    const bool busy = (path_->status() & protocol::status::busy) != 0;
+    const std::uint32_t frames = path_->frames();
+    const bool drew = std::exchange(frames_seen_, frames) != frames;
+    if (bus_->lost()) { // the looks themselves found out
+        close();
+        return {.fault = true, .running = false};
+    }
+    return {.fault = fault, .running = path_->extended() ? busy || drew : !fault};
+}
+
 void Hardware::write_status(protocol::ReplyWriter& reply)
 {
     if (!path_) {
         reply << " hardware=absent";
         return;
     }
-    reply << " hardware=" << (faulty_ ? "fault" : "ok")
+    reply << " hardware=" << (at_fault() ? "fault" : "ok")
           << " block=" << (path_->extended() ? "extended" : "plain")
           << " readback_errors=" << readback_errors_;
     if (!path_->extended())

@@ -28,6 +28,7 @@ class Hardware final : public Board
     /// Looks for the block now; when it is not there, again and again.
     void start();
 
+    [[nodiscard]] Health health() override;
     [[nodiscard]] Applied apply(const protocol::Words& words) override;
     [[nodiscard]] bool use(const protocol::Accelerator& accelerator) override;
 
@@ -50,6 +51,7 @@ class Hardware final : public Board
     void retry_deferred();
     void settle(Applied applied);
     void wait_for_frame_start();
+    [[nodiscard]] bool at_fault() const;
 
     const Config& config_;
     EventLoop& loop_;
@@ -61,6 +63,7 @@ class Hardware final : public Board
     std::uint64_t readback_errors_ = 0;
     bool faulty_ = false;
 
+    std::uint32_t frames_seen_ = 0;   ///< FRAMES at the last health()
     std::uint32_t frames_before_ = 0; ///< FRAMES at the last status, and when that was
     std::chrono::steady_clock::time_point status_before_ = std::chrono::steady_clock::now();
 

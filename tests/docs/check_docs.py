@@ -46,6 +46,7 @@ def check_service(build: Path) -> list[str]:
     text = manual_text(page)
     found = compare(page.name, manual_options(text), option_names(run(build / "raymarchd", "--help")))
     example = (ROOT / "systemd/raymarchd.toml").read_text()
+    example = example.split("\n#[")[0]  # the tables have parts of their own, printed by dump_tables
     for name, default in re.findall(r'^#(\w+) = "?([^"\n]+)"?$', example, re.MULTILINE):
         head = rf'^\.BR {name} ", " --{name.replace("_", "-")} .*?'
         entry = re.search(head + r'(?=^\.BR \w+ ", " --|^\.SH)', text, re.MULTILINE | re.DOTALL)
