@@ -79,12 +79,11 @@ Result<gpiod::line> search(const std::string& what, Look look)
         return fail(Error{ErrorKind::Unavailable, ENODEV, "there is no GPIO chip"});
     std::string refused;
     for (const std::string& path : paths) {
-        const auto found =
-            guarded(ErrorKind::Unavailable, path, [&] { return look(open_chip(path)); });
-        if (!found)
-            refused = " (" + found.error().message + ")";
-        else if (*found)
-            return *found;
+        auto line = guarded(ErrorKind::Unavailable, path, [&] { return look(open_chip(path)); });
+        if (!line)
+            refused = " (" + line.error().message + ")";
+        else if (static_cast<bool>(line.value()))
+            return line;
     }
     return fail(missing("no GPIO " + what + refused));
 }
@@ -103,7 +102,7 @@ Result<gpiod::line> find(const LinePlace& place)
     if (place.chip.starts_with('/'))
         return guarded(ErrorKind::Unavailable, subject,
                        [&] { return line_of(open_chip(place.chip)); });
-    const auto of_label = search("chip has the label " + place.chip, [&](const gpiod::chip& chip) {
+    auto of_label = search("chip has the label " + place.chip, [&](const gpiod::chip& chip) {
         return chip.label() == place.chip ? chip.get_line(0) : gpiod::line();
     });
     if (!of_label)
