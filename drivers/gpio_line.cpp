@@ -11,12 +11,16 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <bitset>
 #include <cerrno>
+#include <exception>
 #include <filesystem>
-#include <stdexcept>
+#include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace raymarch::drivers
@@ -93,11 +97,7 @@ Result<gpiod::line> find(const LinePlace& place)
     if (place.chip.empty())
         return search("line is named " + place.name,
                       [&](const gpiod::chip& chip) { return chip.find_line(place.name); });
-    const auto line_of = [&](const gpiod::chip& chip) -> gpiod::line {
-        if (place.offset >= chip.num_lines())
-            throw std::out_of_range("the chip has " + std::to_string(chip.num_lines()) + " lines");
-        return chip.get_line(place.offset);
-    };
+    const auto line_of = [&](const gpiod::chip& chip) { return chip.get_line(place.offset); };
     const std::string subject = "GPIO line " + to_string(place);
     if (place.chip.starts_with('/'))
         return guarded(ErrorKind::Unavailable, subject,
