@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/app.hpp"
 
+#include "drivers/device_tree_overlay.hpp"
+#include "drivers/fpga_manager.hpp"
+#include "drivers/logic_loader.hpp"
 #include "drivers/pseudo_terminal.hpp"
 #include "drivers/serial_port.hpp"
 
 #include <sys/epoll.h>
 #include <systemd/sd-daemon.h>
 
+#include <algorithm>
 #include <csignal>
 #include <random>
 #include <utility>
@@ -29,6 +33,15 @@ std::uint64_t random_seed()
 {
     std::random_device device;
     return std::uint64_t{device()} << 32 | device();
+}
+
+/// What the FPGA manager says, as one word.
+std::string logic_state(const drivers::KernelTree& tree)
+{
+    const auto manager = drivers::find_fpga_manager(tree);
+    std::string state = manager ? manager->state : "none";
+    std::ranges::replace(state, ' ', '_');
+    return state;
 }
 
 using PortResult = Result<std::unique_ptr<drivers::BytePort>>;
@@ -275,8 +288,10 @@ void App::write_status(protocol::ReplyWriter& reply)
         reply << " hang_ups=" << serial_->session().hang_ups();
     hardware_.write_status(reply);
     panel_.write_status(reply);
-    reply << " overlay=unknown clients=" << std::uint64_t{clients_.size()}
-          << " dropped_replies=" << dropped
+    const drivers::KernelTree tree(config_.sysfs_root);
+    reply << " logic=" << logic_state(tree)
+          << " overlay=" << to_text(overlay_state(tree, drivers::overlay_name))
+          << " clients=" << std::uint64_t{clients_.size()} << " dropped_replies=" << dropped
           << " uptime=" << static_cast<std::uint64_t>(uptime.count());
 }
 

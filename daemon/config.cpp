@@ -60,7 +60,7 @@ Result<void> set_registers(Config& config, std::string_view text)
     else if (const auto name = behind(text, "uio-name:"))
         config.registers = UioName{*name};
     else if (const auto device = behind(text, "uio:"))
-        config.registers = UioDevice{*device};
+        config.registers = UioNode{*device};
     else if (const auto path = behind(text, "file:"))
         config.registers = RegisterFile{*path};
     else
@@ -166,6 +166,14 @@ Result<void> set_preview(Config& config, std::string_view text)
     return set_path(config.preview, text);
 }
 
+Result<void> set_sysfs_root(Config& config, std::string_view text)
+{
+    if (!text.starts_with('/'))
+        return fail(refuse(text, "a path from / on"));
+    config.sysfs_root = text;
+    return {};
+}
+
 Result<void> set_log_level(Config& config, std::string_view text)
 {
     const auto level = log::level_named(text);
@@ -247,6 +255,7 @@ constexpr std::array table = {
     Setting{"state",            "FILE|none",                  "/var/lib/raymarchd/state", "where the state is kept over a restart", set_state},
     Setting{"control",          "SOCKET|none",                "/run/raymarchd/control",   "local socket that speaks the serial protocol", set_control},
     Setting{"preview",          "FILE.png|none",              "none",                     "the latest picture of the emulated accelerator, replaced whole", set_preview},
+    Setting{"sysfs_root",       "PATH",                       "/sys",                     "what stands in for /sys, so that a folder can play the kernel; UIO devices are in the dev beside it", set_sysfs_root},
     Setting{"log_level",        "error|warning|notice|info|debug", "notice",              "what is logged", set_log_level},
     Setting{"basis_check",      "off|warn|reject",            "warn",                     "what is done about a camera basis that no camera has", set_basis_check},
     Setting{"replies",          "all|errors|none",            "all",                      "which replies are sent", set_replies},

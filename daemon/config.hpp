@@ -25,7 +25,7 @@ namespace raymarch::daemon
 /// Where the register block is.
 struct AutoRegisters
 {}; ///< the UIO device named raymarch where there is one, else emulated
-struct UioDevice
+struct UioNode
 {
     std::string path;
 };
@@ -40,7 +40,7 @@ struct RegisterFile
 struct EmulatedRegisters
 {};
 using RegistersWhere =
-    std::variant<AutoRegisters, UioDevice, UioName, RegisterFile, EmulatedRegisters>;
+    std::variant<AutoRegisters, UioNode, UioName, RegisterFile, EmulatedRegisters>;
 
 /// Where the serial host is.
 struct NoSerial
@@ -76,6 +76,7 @@ struct Config
     std::string state;   ///< empty: none
     std::string control; ///< empty: none
     std::string preview; ///< empty: none
+    std::string sysfs_root;
     log::Level log_level = log::Level::Notice;
     const protocol::Accelerator* accelerator = nullptr;
     BasisCheck basis_check = BasisCheck::Warn;

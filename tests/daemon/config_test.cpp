@@ -66,7 +66,7 @@ Config with(std::string_view name, std::string_view text)
 
 TEST(Config, PlacesOfRegisters)
 {
-    EXPECT_EQ(std::get<UioDevice>(with("registers", "uio:/dev/uio3").registers).path, "/dev/uio3");
+    EXPECT_EQ(std::get<UioNode>(with("registers", "uio:/dev/uio3").registers).path, "/dev/uio3");
     EXPECT_EQ(std::get<UioName>(with("registers", "uio-name:block").registers).name, "block");
     EXPECT_EQ(std::get<RegisterFile>(with("registers", "file:/tmp/a b").registers).path,
               "/tmp/a b");

@@ -57,20 +57,28 @@ def check_service(build: Path) -> list[str]:
     return found
 
 
+def subcommand_names(help_text: str) -> list[str]:
+    """The subcommands that a --help prints, if it has any."""
+    return re.findall(r"^  ([a-z]+) ", help_text.partition("Subcommands:")[2], re.MULTILINE)
+
+
 def check_tool(build: Path) -> list[str]:
     """Options of raymarchctl and of its subcommands, each in the subcommand's own part of the page."""
     page = ROOT / "docs/man/raymarchctl.1"
     text = manual_text(page)
     program = build / "raymarchctl"
     general = run(program, "--help")
-    subcommands = re.findall(r"^  ([a-z]+) ", general.split("Subcommands:")[1], re.MULTILINE)
+    subcommands = subcommand_names(general)
     parts = dict(re.findall(r"^\.SS (\w+)\n(.*?)(?=^\.S[SH]|\Z)", text, re.MULTILINE | re.DOTALL))
     common = manual_options(text.split(".SH SUBCOMMANDS")[0].split(".SH OPTIONS")[1])
 
     found: list[str] = []
     printed = option_names(general)
     for name in subcommands:
-        options = option_names(run(program, name, "--help"))
+        help_text = run(program, name, "--help")
+        options = option_names(help_text)
+        for verb in subcommand_names(help_text):
+            options |= option_names(run(program, name, verb, "--help"))
         printed |= options
         if name not in parts:
             found.append(f"{page.name}: the subcommand {name} has no part")
