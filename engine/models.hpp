@@ -3,6 +3,7 @@
 /// The registry of models: one line an accelerator, beside protocol/accelerators.hpp.
 #pragma once
 
+#include "engine/fractal/fast/kernels.hpp"
 #include "engine/fractal/fractal.hpp"
 #include "engine/mandelbulb/mandelbulb.hpp"
 #include "engine/marcher/marcher.hpp"
@@ -25,7 +26,8 @@ inline constexpr std::array models = {
           .steps = "scene queries",
           .draw_row = fractal::draw_row,
           .frame_cycles = fractal::frame_cycles,
-          .frames_of_a_still = fractal::frames_of_a_still},
+          .frames_of_a_still = fractal::frames_of_a_still,
+          .kernels = fractal::kernels},
     Model{.description = &protocol::sphere::description,
           .steps = "clock edges (prototype: runs of the ray-sphere unit)",
           .draw_row = sphere::draw_row,
