@@ -9,6 +9,7 @@
 #define RAYMARCH_ENGINE_FRACTAL_FAST_RAY_MARCHER
 #endif
 
+#include "engine/fractal/fast/compaction-inl.hpp"
 #include "engine/fractal/fast/scenes-inl.hpp"
 #include "engine/fractal/fast/shading-inl.hpp"
 
@@ -143,17 +144,16 @@ class Marcher
     HWY_INLINE void put_aside(Bundle& bundle, Vec places)
     {
         const Tag d;
-        const auto alive = hn::MaskFromVec(bundle.alive);
-        if (hn::AllFalse(d, alive))
+        const Compaction alive(bundle.alive);
+        const std::size_t bytes = alive.bytes();
+        if (bytes == 0)
             return;
         std::size_t field = 0;
-        const auto put = [&](Vec v) {
-            hn::CompressStore(v, alive, d, aside_[field++].data() + waiting_);
-        };
+        const auto put = [&](Vec v) { alive.store(v, d, aside_[field++].data() + waiting_); };
         bundle.rays.each_field(put);
         put(bundle.depth);
         put(places);
-        waiting_ += hn::CountTrue(d, alive);
+        waiting_ += bytes / sizeof(Lane);
     }
 
     HWY_INLINE void take_up(std::size_t few)
