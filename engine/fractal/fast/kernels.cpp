@@ -50,7 +50,7 @@ struct Scenery
     const Frame& frame;
     Camera camera;
     Plane plane;
-    Palette colours;
+    Paint paint;
     const SceneRow& scene;
     Number first; ///< the distance of the camera, which all rays ask first
 };
@@ -153,27 +153,30 @@ void march_tile(const Scenery& scenery, Tile& tile)
     }
 }
 
-/// The grey of a pixel, as grey() has it.
-[[nodiscard]] inline unsigned grey_of(const Frame& frame, Ending ending, unsigned parity) noexcept
-{
-    const unsigned depth = ending & max_depth;
-    const unsigned level = depth >> 1;
-    return 15 - level - ((frame.dither && level != 15) ? depth & parity & 1 : 0);
-}
-
 void show(const Scenery& scenery, const Line& line, const Ending* endings, PictureSize size,
           const Canvas& canvas)
 {
-    const std::size_t row = std::size_t{line.y} * size.width;
-    for (std::size_t i = 0; i < line.count; ++i) {
-        const std::size_t x = line.first + i * line.step;
-        const Rgb& colour =
-            scenery.colours[grey_of(scenery.frame, endings[i], static_cast<unsigned>(x ^ line.y))];
-        std::copy(colour.begin(), colour.end(), &canvas.rgb[3 * (row + x)]);
+    constexpr std::size_t pixels = HWY_LANES(std::uint8_t);
+    const Parity parity{.first = ((line.first ^ line.y) & 1) != 0,
+                        .alternates = line.step % 2 != 0};
+    const std::size_t row = std::size_t{line.y} * size.width + line.first;
+    std::uint8_t* const rgb = canvas.rgb.data() + bytes_per_pixel * row;
+    for (std::size_t i = 0; i < line.count; i += pixels) {
+        if (line.step == 1 && line.count - i >= pixels) {
+            show(scenery.paint, parity, endings + i, rgb + bytes_per_pixel * i);
+            continue;
+        }
+        HWY_ALIGN std::array<std::uint8_t, bytes_per_pixel * pixels> shown;
+        show(scenery.paint, parity, endings + i, shown.data());
+        const std::size_t count = std::min(line.count - i, pixels);
+        for (std::size_t j = 0; j < count; ++j)
+            for (std::size_t byte = 0; byte < bytes_per_pixel; ++byte)
+                rgb[bytes_per_pixel * (i + j) * line.step + byte] =
+                    shown[bytes_per_pixel * j + byte];
     }
     if (!canvas.costs.empty())
         for (std::size_t i = 0; i < line.count; ++i)
-            canvas.costs[row + line.first + i * line.step] = {
+            canvas.costs[row + i * line.step] = {
                 .steps = static_cast<std::uint32_t>(endings[i] >> queries_shift), .rays = 1};
 }
 
@@ -181,13 +184,14 @@ void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept
 {
     const Frame frame = latch(words);
     const SceneRow& scene = scene_row(frame.scene);
-    const Scenery scenery{.frame = frame,
-                          .camera = camera_along(frame.forward),
-                          .plane = plane_of(region.size),
-                          .colours =
-                              palette(frame.colour ? Colouring::Hue : Colouring::Grey, frame.hue),
-                          .scene = scene,
-                          .first = scene.distance(frame.position)};
+    const Scenery scenery{
+        .frame = frame,
+        .camera = camera_along(frame.forward),
+        .plane = plane_of(region.size),
+        .paint = paint_of(palette(frame.colour ? Colouring::Hue : Colouring::Grey, frame.hue),
+                          frame.dither),
+        .scene = scene,
+        .first = scene.distance(frame.position)};
     const unsigned right = unsigned{region.x} + region.width;
     const unsigned bottom = unsigned{region.y} + region.height;
     // Of a checkerboard every other pixel, or, where the region's step is even, none or all of a

@@ -289,7 +289,6 @@ struct CubeRays
     Axes<WideVec> direction;
     WideVec lost; ///< -1 for a ray that has come too far from the cube
 
-
     HWY_INLINE void aim(const std::array<Directions, parts>& to)
     {
         lost = hn::Zero(Wide());

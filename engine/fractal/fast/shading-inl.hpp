@@ -11,6 +11,9 @@
 #include "engine/fractal/display.hpp"
 #include "engine/fractal/fast/lanes-inl.hpp"
 #include "engine/fractal/ray_marcher.hpp"
+#include "engine/image.hpp"
+
+#include <array>
 
 HWY_BEFORE_NAMESPACE();
 namespace raymarch::engine::fractal::HWY_NAMESPACE
@@ -44,6 +47,55 @@ HWY_INLINE Vec brick(D d, Vec x, Vec y, Vec z, Vec depth)
     const Vec along = beyond_joint(hn::ShiftLeft<4>(y));
     const auto inside = hn::Not(hn::Or(hn::Eq(across, set(0)), hn::Eq(along, set(0))));
     return hn::IfThenElse(inside, hn::And(hn::Sub(depth, set(2)), set(max_depth)), depth);
+}
+
+/// The colours of the greys by channel, and whether they are dithered.
+struct Paint
+{
+    std::array<HWY_ALIGN std::array<std::uint8_t, 16>, bytes_per_pixel> channels;
+    bool dither;
+};
+
+[[nodiscard]] inline Paint paint_of(const Palette& palette, bool dither) noexcept
+{
+    Paint paint{.channels = {}, .dither = dither};
+    for (std::size_t grey = 0; grey < palette.size(); ++grey)
+        for (std::size_t channel = 0; channel < bytes_per_pixel; ++channel)
+            paint.channels[channel][grey] = palette[grey][channel];
+    return paint;
+}
+
+/// Which pixels of a line are odd, by x + y.
+struct Parity
+{
+    bool first;
+    bool alternates;
+};
+
+using Byte = hn::ScalableTag<std::uint8_t>;
+
+/// grey() of a vector of pixels, and its colours: red, green, blue to `rgb`.
+HWY_INLINE void show(const Paint& paint, Parity parity, const Ending* endings, std::uint8_t* rgb)
+{
+    const Byte d;
+    const Narrow d16;
+    const auto set = [&](int v) { return hn::Set(d, static_cast<std::uint8_t>(v)); };
+    const auto levels = hn::ConcatEven(d, hn::BitCast(d, hn::LoadU(d16, endings + hn::Lanes(d16))),
+                                       hn::BitCast(d, hn::LoadU(d16, endings)));
+    // 255 in odd pixels
+    const auto second = hn::BitCast(d, hn::Set(d16, static_cast<std::uint16_t>(0xFF00)));
+    const auto alternating = parity.alternates ? second : hn::Zero(d);
+    const auto odd = parity.first ? hn::Not(alternating) : alternating;
+
+    const auto level =
+        hn::And(hn::BitCast(d, hn::ShiftRight<1>(hn::BitCast(d16, levels))), set(15));
+    const auto darker = hn::AndNot(hn::VecFromMask(d, hn::Eq(level, set(15))),
+                                   hn::And(hn::And(levels, set(1)), odd));
+    const auto grey = hn::Sub(hn::Sub(set(15), level), paint.dither ? darker : hn::Zero(d));
+    const auto channel = [&](std::size_t i) {
+        return hn::TableLookupBytes(hn::LoadDup128(d, paint.channels[i].data()), grey);
+    };
+    hn::StoreInterleaved3(channel(0), channel(1), channel(2), d, rgb);
 }
 
 } // namespace raymarch::engine::fractal::HWY_NAMESPACE
