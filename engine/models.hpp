@@ -8,6 +8,7 @@
 #include "engine/mandelbulb/mandelbulb.hpp"
 #include "engine/marcher/marcher.hpp"
 #include "engine/model.hpp"
+#include "engine/sphere/fast/kernels.hpp"
 #include "engine/sphere/sphere.hpp"
 #include "engine/whitted/whitted.hpp"
 #include "protocol/accelerators.hpp"
@@ -32,7 +33,8 @@ inline constexpr std::array models = {
           .steps = "clock edges (prototype: runs of the ray-sphere unit)",
           .draw_row = sphere::draw_row,
           .frame_cycles = sphere::frame_cycles,
-          .finish = sphere::finish},
+          .finish = sphere::finish,
+          .kernels = sphere::kernels},
     Model{.description = &protocol::mandelbulb::description,
           .steps = "evaluations of the distance",
           .draw_row = mandelbulb::draw_row,

@@ -21,7 +21,7 @@ namespace raymarch::engine::fractal::HWY_NAMESPACE
 {
 
 /// Vectors of rays in flight: the steps of one ray wait for each other, those of others do not.
-inline constexpr std::size_t in_flight = 2;
+inline constexpr std::size_t in_flight = 3;
 
 enum class Surface : bool { Plain, Brick };
 
@@ -75,8 +75,8 @@ class Marcher
             bundle.depth = hn::Set(d, 1);
             bundle.alive = hn::VecFromMask(d, hn::FirstN(d, starts[i].count));
         }
-        run(bundles, enough_to_go_on);
-        for (std::size_t i = 0; i < in_flight; ++i) {
+        run<Depths::Same>(bundles, enough_to_go_on);
+        for (std::size_t i = 0; i < in_flight && starts[i].count > 0; ++i) {
             hn::StoreU(ended(bundles[i]), EndingTag(), endings_ + starts[i].place);
             const Vec places = hn::Iota(d, static_cast<Lane>(starts[i].place));
             put_aside(bundles[i], places);
@@ -95,34 +95,36 @@ class Marcher
   private:
     using EndingTag = hn::Rebind<Ending, Tag>;
     /// Where so few rays of a batch go on, they wait for others.
-    static constexpr std::size_t enough_to_go_on = batch / 4;
+    static constexpr std::size_t enough_to_go_on = batch / 6;
 
-    /// Steps until at most `few` are alive.
+    /// Whether all rays have made as many steps.
+    enum class Depths : bool { Same, Own };
+
+    /// Steps until at most `few` are alive. Beyond the last depth there is no query: who gets there
+    /// is lost, and where all get there at once, nobody need look.
+    template <Depths depths>
     static HWY_INLINE void run(Bundles& bundles, std::size_t few)
     {
         const Tag d;
         std::size_t alive = 0;
+        unsigned left = max_depth;
         do {
             alive = 0;
             for (Bundle& bundle : bundles) {
                 const Vec s = bundle.rays.distance();
-                // Beyond the last depth there is no query: who gets there is lost.
-                const auto asked =
-                    hn::Gt(signed_lanes(hn::Set(d, max_depth + 1)), signed_lanes(bundle.depth));
-                const Vec able =
-                    hn::And(bundle.alive,
-                            unsigned_lanes(hn::VecFromMask(hn::RebindToSigned<Tag>(), asked)));
-                bundle.alive = bundle.rays.going_on(s, able);
+                if constexpr (depths == Depths::Own)
+                    bundle.alive = hn::And(
+                        bundle.alive,
+                        hn::VecFromMask(d, hn::Ne(bundle.depth, hn::Set(d, max_depth + 1))));
+                bundle.alive = bundle.rays.going_on(s, bundle.alive);
                 bundle.rays.step(hn::And(s, bundle.alive));
                 bundle.depth = hn::Sub(bundle.depth, bundle.alive);
                 alive += hn::CountTrue(d, hn::MaskFromVec(bundle.alive));
             }
-        } while (alive > few);
-    }
-    static HWY_INLINE auto signed_lanes(Vec v) { return hn::BitCast(hn::RebindToSigned<Tag>(), v); }
-    static HWY_INLINE Vec unsigned_lanes(hn::Vec<hn::RebindToSigned<Tag>> v)
-    {
-        return hn::BitCast(Tag(), v);
+        } while (alive > few && (depths == Depths::Own || --left > 0));
+        if (depths == Depths::Same && left == 0)
+            for (Bundle& bundle : bundles)
+                bundle.alive = hn::Zero(d);
     }
 
     /// The endings of rays that are not alive.
@@ -174,7 +176,7 @@ class Marcher
             take(places[i]);
             bundles[i].alive = hn::VecFromMask(d, hn::FirstN(d, taken - std::min(taken, first)));
         }
-        run(bundles, few);
+        run<Depths::Own>(bundles, few);
         for (std::size_t i = 0; i < in_flight; ++i) {
             HWY_ALIGN std::array<Ending, lanes> endings;
             HWY_ALIGN std::array<Lane, lanes> at;

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: MIT
+// The pixels of both designs in vectors, as rtl_pixel.cpp, prototype_pixel.cpp and sphere.cpp have
+// them. Highway compiles this file once for each instruction set.
+#include "engine/sphere/fast/kernels.hpp"
+
+#include "engine/sphere/frame.hpp"
+#include "engine/sphere/prototype_pixel.hpp"
+#include "engine/sphere/ray_sphere_unit.hpp"
+#include "engine/sphere/rtl_pixel.hpp"
+#include "engine/sphere/sphere.hpp"
+#include "engine/sphere/timeline.hpp"
+
+// No Isa names it.
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/sphere/fast/kernels.cpp"
+#include <hwy/foreach_target.h>
+// Behind foreach_target.h. The plain C++ that Highway may end with is not used.
+#include <hwy/highway.h>
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && HWY_HAVE_FLOAT64
+#include "engine/sphere/fast/ray_sphere_unit-inl.hpp"
+
+#include <algorithm>
+#include <array>
+
+HWY_BEFORE_NAMESPACE();
+namespace raymarch::engine::sphere::HWY_NAMESPACE
+{
+
+constexpr std::size_t lanes = HWY_LANES(double);
+using Reals = std::array<double, lanes>;
+
+/// What all pixels of a region share.
+struct Scene
+{
+    Frame frame; ///< held
+    Points eye;
+    std::array<Points, max_balls> eye_beside; ///< the eye from the balls' centres
+    std::array<RealVec, max_balls> eye_c;
+};
+
+/// A ball as a vector of equal ones.
+HWY_INLINE RealVec radius_squared(const Ball& ball)
+{
+    return real(std::int64_t{ball.radius} * ball.radius);
+}
+
+HWY_INLINE Scene scene_of(const Frame& frame)
+{
+    Scene scene;
+    scene.frame = frame;
+    scene.eye = points(frame.eye);
+    for (std::size_t i = 0; i < max_balls; ++i) {
+        const Ball& ball = frame.balls[i];
+        scene.eye_beside[i] = difference(scene.eye, points(ball.centre));
+        scene.eye_c[i] =
+            hn::Sub(dot(scene.eye_beside[i], scene.eye_beside[i]), radius_squared(ball));
+    }
+    return scene;
+}
+
+/// The line from a pixel's point to a light.
+template <RuleSet rules>
+HWY_INLINE Strikes towards(const Points& light, const Points& point, const Ball& ball,
+                           std::int32_t derounder)
+{
+    const Points beside = difference(point, points(ball.centre));
+    const RealVec c = hn::Sub(dot(beside, beside), radius_squared(ball));
+    return intersect<rules, Reach::Segment>(point, light, beside, c, derounder);
+}
+
+/// Pixels of a vector, as they leave a design: channels and costs as integers.
+struct Shown
+{
+    std::array<RealVec, bytes_per_pixel> colour;
+    RealVec steps;
+    RealVec rays;
+    RealMask exact;
+};
+
+HWY_INLINE RealVec chosen(RealMask mask, RealVec yes, RealVec no)
+{
+    return hn::IfThenElse(mask, yes, no);
+}
+
+/// rtl_pixel() and what draw_row() makes of it.
+template <RuleSet rules>
+HWY_INLINE Shown rtl_pixels(const Scene& scene, const Points& target)
+{
+    const Frame& frame = scene.frame;
+    const auto period = [](Outcome outcome) { return real(row_of(outcome).period); };
+    const auto rays = [](Outcome outcome) { return real(row_of(outcome).rays); };
+    const Strikes strikes = intersect<rules, Reach::Ray>(scene.eye, target, scene.eye_beside[0],
+                                                         scene.eye_c[0], frame.derounder);
+    Shown shown;
+    shown.exact = strikes.exact;
+    shown.steps = chosen(strikes.misses, period(Outcome::Missed), period(Outcome::Behind));
+    shown.rays = rays(Outcome::Missed);
+    shown.colour.fill(real(0));
+    if (hn::AllFalse(Real(), strikes.hits))
+        return shown;
+
+    const Light& light = frame.lights[0];
+    const Strikes way =
+        towards<rules>(points(light.position), strikes.point, frame.balls[0], frame.derounder);
+    const RealVec power = real(std::int64_t{light.strength} * frame.calibration);
+    const auto at_light = hn::Eq(way.squared, real(0));
+    RealVec lit = quotient(power, chosen(at_light, real(1), way.squared));
+    if constexpr (rules == RuleSet::Corrected)
+        lit = chosen(at_light, real(rtl_white), hn::Max(lit, real(frame.shadow)));
+    else
+        lit = chosen(at_light, real(0), lit);
+    const RealVec shadowed = real(frame.shadow);
+    const RealVec value = hn::Min(chosen(way.hits, shadowed, lit), real(rtl_white));
+    const RealVec steps =
+        chosen(way.hits, period(Outcome::Shadowed),
+               chosen(way.misses, period(Outcome::LitClear), period(Outcome::LitRejected)));
+
+    shown.exact = hn::And(shown.exact, hn::Or(way.exact, hn::Not(strikes.hits)));
+    shown.steps = chosen(strikes.hits, steps, shown.steps);
+    shown.rays = chosen(strikes.hits, rays(Outcome::Shadowed), shown.rays);
+    const RealVec bright = hn::IfThenElseZero(strikes.hits, hn::Mul(value, real(17)));
+    shown.colour = {bright, bright, frame.tint == Tint::Grey ? bright : real(0)};
+    return shown;
+}
+
+/// prototype_pixel().
+template <RuleSet rules>
+HWY_INLINE Shown prototype_pixels(const Scene& scene, const Points& target)
+{
+    const Real d;
+    const Frame& frame = scene.frame;
+    constexpr bool nearest = rules == RuleSet::Corrected;
+    RealMask visible = hn::MaskFromVec(real(0));
+    RealVec ball = real(0);
+    RealVec root = real(0);
+    Points point = scene.eye;
+    Shown shown;
+    shown.exact = hn::Not(visible);
+    shown.steps = real(static_cast<std::int64_t>(frame.ball_count));
+    shown.rays = real(1);
+    shown.colour.fill(real(0));
+    for (std::size_t i = 0; i < frame.ball_count; ++i) {
+        const Strikes strikes = intersect<rules, Reach::Ray>(scene.eye, target, scene.eye_beside[i],
+                                                             scene.eye_c[i], frame.derounder);
+        shown.exact = hn::And(shown.exact, strikes.exact);
+        if (hn::AllFalse(d, strikes.hits))
+            continue;
+        const RealMask first = hn::AndNot(visible, strikes.hits);
+        const RealMask nearer =
+            nearest ? hn::Or(first, hn::And(strikes.hits, hn::Lt(strikes.root, root)))
+                    : strikes.hits;
+        ball = chosen(nearest ? nearer : first, real(static_cast<std::int64_t>(i)), ball);
+        root = chosen(nearer, strikes.root, root);
+        point = {chosen(nearer, strikes.point.x, point.x), chosen(nearer, strikes.point.y, point.y),
+                 chosen(nearer, strikes.point.z, point.z)};
+        visible = hn::Or(visible, strikes.hits);
+    }
+    if (hn::AllFalse(d, visible))
+        return shown;
+
+    constexpr std::int64_t white = 255;
+    RealVec brightness = real(0);
+    for (std::size_t j = 0; j < frame.light_count; ++j) {
+        const Light& light = frame.lights[j];
+        RealMask open = visible;
+        for (std::size_t i = 0; i < frame.ball_count; ++i) {
+            const Strikes way =
+                towards<rules>(points(light.position), point, frame.balls[i], frame.derounder);
+            shown.steps = hn::Add(shown.steps, hn::IfThenElseZero(open, real(1)));
+            shown.exact = hn::And(shown.exact, hn::Or(way.exact, hn::Not(open)));
+            open = hn::AndNot(way.hits, open);
+            if (hn::AllFalse(d, open))
+                break;
+        }
+        const Points way = difference(points(light.position), point);
+        const RealVec squared = dot(way, way);
+        const std::int64_t product = std::int64_t{light.strength} * frame.calibration;
+        const RealVec power = real(nearest ? product : static_cast<std::int32_t>(product));
+        const auto at_light = hn::Eq(squared, real(0));
+        const RealVec received = chosen(at_light, real(nearest ? white : 0),
+                                        quotient(power, chosen(at_light, real(1), squared)));
+        const RealVec sum = hn::Min(real(white), hn::Add(brightness, received));
+        const RealVec byte = real(256); // the low byte of it
+        const RealVec low =
+            hn::Sub(sum, hn::Mul(byte, hn::Floor(hn::Mul(sum, hn::Set(d, 0x1p-8)))));
+        brightness = chosen(open, low, brightness);
+    }
+    const RealVec shadow = real(frame.shadow);
+    for (std::size_t i = 0; i < bytes_per_pixel; ++i) {
+        const RealVec own = hn::Max(brightness, shadow);
+        const auto here = hn::Eq(ball, real(static_cast<std::int64_t>(i)));
+        shown.colour[i] = hn::IfThenElseZero(visible, chosen(here, own, shadow));
+    }
+    shown.rays =
+        chosen(visible, real(1 + static_cast<std::int64_t>(frame.light_count)), shown.rays);
+    return shown;
+}
+
+/// Pixels at columns first, first + step, … of a row: up to `count`, and as many as there are
+/// lanes.
+struct Place
+{
+    PictureSize size;
+    unsigned first;
+    unsigned y;
+    unsigned step;
+    std::size_t count;
+};
+
+/// Pixels one by one, by the reference.
+void draw_alone(const Frame& frame, const Place& place, const Canvas& canvas)
+{
+    const std::size_t row = std::size_t{place.y} * place.size.width;
+    std::array<PixelCost, 1> unwanted;
+    for (std::size_t i = 0; i < place.count; ++i) {
+        const std::size_t at = row + place.first + i * place.step;
+        const Drawn drawn =
+            draw_pixel(frame, static_cast<std::int32_t>(place.first + i * place.step),
+                       static_cast<std::int32_t>(place.y));
+        std::copy(drawn.colour.begin(), drawn.colour.end(), &canvas.rgb[bytes_per_pixel * at]);
+        (canvas.costs.empty() ? unwanted[0] : canvas.costs[at]) = drawn.cost;
+    }
+}
+
+void put(const Shown& shown, const Place& place, const Canvas& canvas)
+{
+    const hn::Rebind<std::int32_t, Real> integers;
+    const auto store = [&](RealVec v) {
+        HWY_ALIGN std::array<std::int32_t, lanes> to;
+        hn::Store(hn::DemoteTo(integers, v), integers, to.data());
+        return to;
+    };
+    const std::size_t row = std::size_t{place.y} * place.size.width + place.first;
+    const std::array channels = {store(shown.colour[0]), store(shown.colour[1]),
+                                 store(shown.colour[2])};
+    for (std::size_t i = 0; i < place.count; ++i)
+        for (std::size_t channel = 0; channel < bytes_per_pixel; ++channel)
+            canvas.rgb[bytes_per_pixel * (row + i * place.step) + channel] =
+                static_cast<std::uint8_t>(channels[channel][i]);
+    if (canvas.costs.empty())
+        return;
+    const auto steps = store(shown.steps);
+    const auto rays = store(shown.rays);
+    for (std::size_t i = 0; i < place.count; ++i)
+        canvas.costs[row + i * place.step] = {.steps = static_cast<std::uint32_t>(steps[i]),
+                                              .rays = static_cast<std::uint32_t>(rays[i])};
+}
+
+template <RuleSet rules, bool is_prototype>
+void draw_region(const Frame& frame, const Region& region, const Canvas& canvas)
+{
+    const Real d;
+    const Scene scene = scene_of(frame);
+    const unsigned right = unsigned{region.x} + region.width;
+    const unsigned bottom = unsigned{region.y} + region.height;
+    const RealVec offsets = hn::Mul(hn::Iota(d, 0.0), real(region.step));
+    for (unsigned y = region.y; y < bottom; y += region.step)
+        for (unsigned x = region.x; x < right; x += region.step * unsigned{lanes}) {
+            const std::size_t left = (right - x + region.step - 1) / region.step;
+            const Place place{region.size, x, y, region.step, std::min(left, lanes)};
+            const Points target = {hn::Add(real(x), offsets), real(y), real(frame.screen)};
+            Shown shown;
+            if constexpr (is_prototype)
+                shown = prototype_pixels<rules>(scene, target);
+            else
+                shown = rtl_pixels<rules>(scene, target);
+            if (hn::AllTrue(d, shown.exact))
+                put(shown, place, canvas);
+            else
+                draw_alone(frame, place, canvas);
+        }
+}
+
+void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept
+{
+    const Frame frame = held(latch(words));
+    const bool corrected = frame.faults == Faults::Corrected;
+    if (frame.design == Design::Prototype)
+        return corrected ? draw_region<RuleSet::Corrected, true>(frame, region, canvas)
+                         : draw_region<RuleSet::Prototype, true>(frame, region, canvas);
+    if (corrected)
+        return draw_region<RuleSet::Corrected, false>(frame, region, canvas);
+    return frame.faults == Faults::Kept
+               ? draw_region<RuleSet::Rtl, false>(frame, region, canvas)
+               : draw_region<RuleSet::Repaired, false>(frame, region, canvas);
+}
+
+} // namespace raymarch::engine::sphere::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
+
+#if HWY_ONCE
+#include "engine/kernel_table.hpp"
+
+#include <array>
+
+namespace raymarch::engine::sphere
+{
+
+std::span<const Kernel> kernels() noexcept
+{
+#if HWY_ARCH_ARM_V7
+    return {}; // its vectors have no double
+#else
+    static constexpr std::array table = {RAYMARCH_KERNELS(draw)};
+    return table;
+#endif
+}
+
+} // namespace raymarch::engine::sphere
+#endif
