@@ -14,6 +14,8 @@ namespace raymarch::engine::sphere
 namespace
 {
 
+using Colour = std::array<std::uint8_t, bytes_per_pixel>;
+
 constexpr std::uint64_t longest_evaluation = 3500; ///< the unit's count at a hit
 
 /// A value of 4 bits on the screen's red and green, or on all three.
@@ -23,7 +25,11 @@ Colour tinted(Tint tint, std::uint8_t value) noexcept
     return {bright, bright, tint == Tint::Grey ? bright : std::uint8_t{0}};
 }
 
-} // namespace
+struct Drawn
+{
+    Colour colour;
+    PixelCost cost;
+};
 
 Drawn draw_pixel(const Frame& frame, std::int32_t x, std::int32_t y) noexcept
 {
@@ -35,6 +41,8 @@ Drawn draw_pixel(const Frame& frame, std::int32_t x, std::int32_t y) noexcept
     const OutcomeRow& row = row_of(pixel.outcome);
     return {tinted(frame.tint, pixel.value), {.steps = row.period, .rays = row.rays}};
 }
+
+} // namespace
 
 void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
               std::span<PixelCost> costs) noexcept

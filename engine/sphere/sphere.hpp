@@ -7,23 +7,11 @@
 #include "engine/model.hpp"
 #include "engine/sphere/frame.hpp"
 
-#include <array>
 #include <cstdint>
 #include <span>
 
 namespace raymarch::engine::sphere
 {
-
-using Colour = std::array<std::uint8_t, bytes_per_pixel>;
-
-struct Drawn
-{
-    Colour colour;
-    PixelCost cost;
-};
-
-/// A pixel by itself. Precondition: frame is `held`.
-[[nodiscard]] Drawn draw_pixel(const Frame& frame, std::int32_t x, std::int32_t y) noexcept;
 
 /// See Model. A step is an edge of the hardware's clock, in the prototype an evaluation of the
 /// ray-sphere unit.

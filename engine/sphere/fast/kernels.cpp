@@ -3,6 +3,7 @@
 // them. Highway compiles this file once for each instruction set.
 #include "engine/sphere/fast/kernels.hpp"
 
+#include "engine/sphere/fast/silhouette.hpp"
 #include "engine/sphere/frame.hpp"
 #include "engine/sphere/prototype_pixel.hpp"
 #include "engine/sphere/ray_sphere_unit.hpp"
@@ -30,6 +31,20 @@ namespace raymarch::engine::sphere::HWY_NAMESPACE
 
 constexpr std::size_t lanes = HWY_LANES(double);
 using Reals = std::array<double, lanes>;
+
+/// Pixels at columns first, first + step, … of a row: up to `count`, and as many as there are
+/// lanes.
+struct Place
+{
+    PictureSize size;
+    unsigned first;
+    unsigned y;
+    unsigned step;
+    std::size_t count;
+};
+
+/// Where in a row each ball may be seen.
+using Seen = std::array<Span, max_balls>;
 
 /// What all pixels of a region share.
 struct Scene
@@ -127,7 +142,8 @@ HWY_INLINE Shown rtl_pixels(const Scene& scene, const Points& target)
 
 /// prototype_pixel().
 template <RuleSet rules>
-HWY_INLINE Shown prototype_pixels(const Scene& scene, const Points& target)
+HWY_INLINE Shown prototype_pixels(const Scene& scene, const Points& target, const Seen& seen,
+                                  const Place& place)
 {
     const Real d;
     const Frame& frame = scene.frame;
@@ -141,7 +157,11 @@ HWY_INLINE Shown prototype_pixels(const Scene& scene, const Points& target)
     shown.steps = real(static_cast<std::int64_t>(frame.ball_count));
     shown.rays = real(1);
     shown.colour.fill(real(0));
+    const auto first_column = static_cast<std::int32_t>(place.first);
+    const auto last_column = static_cast<std::int32_t>(place.first + (lanes - 1) * place.step);
     for (std::size_t i = 0; i < frame.ball_count; ++i) {
+        if (last_column < seen[i].first || first_column >= seen[i].end)
+            continue;
         const Strikes strikes = intersect<rules, Reach::Ray>(scene.eye, target, scene.eye_beside[i],
                                                              scene.eye_c[i], frame.derounder);
         shown.exact = hn::And(shown.exact, strikes.exact);
@@ -198,17 +218,6 @@ HWY_INLINE Shown prototype_pixels(const Scene& scene, const Points& target)
     return shown;
 }
 
-/// Pixels at columns first, first + step, … of a row: up to `count`, and as many as there are
-/// lanes.
-struct Place
-{
-    PictureSize size;
-    unsigned first;
-    unsigned y;
-    unsigned step;
-    std::size_t count;
-};
-
 /// Pixels one by one, by the reference.
 void draw_alone(const Frame& frame, const Place& place, const Canvas& canvas)
 {
@@ -233,12 +242,15 @@ void put(const Shown& shown, const Place& place, const Canvas& canvas)
         return to;
     };
     const std::size_t row = std::size_t{place.y} * place.size.width + place.first;
-    const std::array channels = {store(shown.colour[0]), store(shown.colour[1]),
-                                 store(shown.colour[2])};
-    for (std::size_t i = 0; i < place.count; ++i)
+    const auto weighed = [](RealVec v, int weight) { return hn::Mul(v, real(weight)); };
+    const auto colours =
+        store(hn::Add(shown.colour[0], hn::Add(weighed(shown.colour[1], 1 << 8),
+                                               weighed(shown.colour[2], 1 << 16))));
+    for (std::size_t i = 0; i < place.count; ++i) {
+        std::uint8_t* const rgb = &canvas.rgb[bytes_per_pixel * (row + i * place.step)];
         for (std::size_t channel = 0; channel < bytes_per_pixel; ++channel)
-            canvas.rgb[bytes_per_pixel * (row + i * place.step) + channel] =
-                static_cast<std::uint8_t>(channels[channel][i]);
+            rgb[channel] = static_cast<std::uint8_t>(colours[i] >> 8 * channel);
+    }
     if (canvas.costs.empty())
         return;
     const auto steps = store(shown.steps);
@@ -248,22 +260,60 @@ void put(const Shown& shown, const Place& place, const Canvas& canvas)
                                               .rays = static_cast<std::uint32_t>(rays[i])};
 }
 
+/// Pixels that hit nothing.
+void put_nothing(const Place& place, PixelCost cost, const Canvas& canvas)
+{
+    const std::size_t row = std::size_t{place.y} * place.size.width + place.first;
+    if (place.step == 1)
+        std::fill_n(canvas.rgb.begin() + static_cast<std::ptrdiff_t>(bytes_per_pixel * row),
+                    bytes_per_pixel * place.count, std::uint8_t{0});
+    else
+        for (std::size_t i = 0; i < place.count; ++i)
+            std::fill_n(&canvas.rgb[bytes_per_pixel * (row + i * place.step)], bytes_per_pixel,
+                        std::uint8_t{0});
+    if (!canvas.costs.empty())
+        for (std::size_t i = 0; i < place.count; ++i)
+            canvas.costs[row + i * place.step] = cost;
+}
+
 template <RuleSet rules, bool is_prototype>
 void draw_region(const Frame& frame, const Region& region, const Canvas& canvas)
 {
     const Real d;
     const Scene scene = scene_of(frame);
-    const unsigned right = unsigned{region.x} + region.width;
-    const unsigned bottom = unsigned{region.y} + region.height;
-    const RealVec offsets = hn::Mul(hn::Iota(d, 0.0), real(region.step));
-    for (unsigned y = region.y; y < bottom; y += region.step)
-        for (unsigned x = region.x; x < right; x += region.step * unsigned{lanes}) {
-            const std::size_t left = (right - x + region.step - 1) / region.step;
-            const Place place{region.size, x, y, region.step, std::min(left, lanes)};
-            const Points target = {hn::Add(real(x), offsets), real(y), real(frame.screen)};
+    const unsigned step = region.step;
+    const RealVec offsets = hn::Mul(hn::Iota(d, 0.0), real(step));
+    const std::size_t balls = is_prototype ? frame.ball_count : 1;
+    const PixelCost nothing =
+        is_prototype ? PixelCost{static_cast<std::uint32_t>(frame.ball_count), 1}
+                     : PixelCost{row_of(Outcome::Missed).period, row_of(Outcome::Missed).rays};
+    const Span columns{region.x, region.x + region.width};
+    const auto place_of = [&](unsigned y, std::size_t first, std::size_t count) {
+        return Place{region.size, region.x + static_cast<unsigned>(first) * step, y, step, count};
+    };
+    const std::size_t count = (region.width + step - 1U) / step; // of a row
+    for (unsigned y = region.y; y < unsigned{region.y} + region.height; y += step) {
+        Seen seen{};
+        Span any{columns.end, columns.first};
+        for (std::size_t i = 0; i < balls; ++i) {
+            seen[i] = silhouette(rules_of(frame.design, frame.faults), frame, frame.balls[i],
+                                 static_cast<std::int32_t>(y), columns);
+            if (seen[i].first < seen[i].end)
+                any = {std::min(any.first, seen[i].first), std::max(any.end, seen[i].end)};
+        }
+        const auto pixels_before = [&](std::int32_t column) {
+            return (static_cast<std::size_t>(column - columns.first) + step - 1) / step;
+        };
+        const std::size_t end = any.first < any.end ? pixels_before(any.end) : 0;
+        std::size_t at = any.first < any.end ? pixels_before(any.first) : 0;
+        put_nothing(place_of(y, 0, at), nothing, canvas);
+        for (; at < end; at += lanes) {
+            const Place place = place_of(y, at, std::min(end - at, lanes));
+            const Points target = {hn::Add(real(place.first), offsets), real(y),
+                                   real(frame.screen)};
             Shown shown;
             if constexpr (is_prototype)
-                shown = prototype_pixels<rules>(scene, target);
+                shown = prototype_pixels<rules>(scene, target, seen, place);
             else
                 shown = rtl_pixels<rules>(scene, target);
             if (hn::AllTrue(d, shown.exact))
@@ -271,6 +321,8 @@ void draw_region(const Frame& frame, const Region& region, const Canvas& canvas)
             else
                 draw_alone(frame, place, canvas);
         }
+        put_nothing(place_of(y, end, count - end), nothing, canvas);
+    }
 }
 
 void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept
