@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The sphere tracer's kernels: the reference's bytes and costs, whatever the words.
-#include "fakes/random.hpp"
 #include "identity.hpp"
 #include "protocol/accelerators/sphere.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/registers.hpp"
+#include "tests/fakes/random.hpp"
 
 #include <array>
 #include <cstdint>

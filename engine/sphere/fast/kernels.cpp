@@ -8,7 +8,6 @@
 #include "engine/sphere/prototype_pixel.hpp"
 #include "engine/sphere/ray_sphere_unit.hpp"
 #include "engine/sphere/rtl_pixel.hpp"
-#include "engine/sphere/sphere.hpp"
 #include "engine/sphere/timeline.hpp"
 
 // No Isa names it.
@@ -55,7 +54,6 @@ struct Scene
     std::array<RealVec, max_balls> eye_c;
 };
 
-/// A ball as a vector of equal ones.
 HWY_INLINE RealVec radius_squared(const Ball& ball)
 {
     return real(std::int64_t{ball.radius} * ball.radius);
@@ -218,18 +216,29 @@ HWY_INLINE Shown prototype_pixels(const Scene& scene, const Points& target, cons
     return shown;
 }
 
-/// Pixels one by one, by the reference.
+/// Pixels one by one, by the reference's own stages.
 void draw_alone(const Frame& frame, const Place& place, const Canvas& canvas)
 {
     const std::size_t row = std::size_t{place.y} * place.size.width;
-    std::array<PixelCost, 1> unwanted;
+    const auto y = static_cast<std::int32_t>(place.y);
     for (std::size_t i = 0; i < place.count; ++i) {
-        const std::size_t at = row + place.first + i * place.step;
-        const Drawn drawn =
-            draw_pixel(frame, static_cast<std::int32_t>(place.first + i * place.step),
-                       static_cast<std::int32_t>(place.y));
-        std::copy(drawn.colour.begin(), drawn.colour.end(), &canvas.rgb[bytes_per_pixel * at]);
-        (canvas.costs.empty() ? unwanted[0] : canvas.costs[at]) = drawn.cost;
+        const std::size_t column = place.first + i * place.step;
+        const auto x = static_cast<std::int32_t>(column);
+        std::array<std::uint8_t, bytes_per_pixel> colour{};
+        PixelCost cost;
+        if (frame.design == Design::Prototype) {
+            const PrototypePixel pixel = prototype_pixel(frame, x, y);
+            colour = pixel.colour;
+            cost = {.steps = pixel.evaluations, .rays = pixel.rays};
+        } else {
+            const RtlPixel pixel = rtl_pixel(frame, x, y);
+            const auto bright = static_cast<std::uint8_t>(17 * pixel.value);
+            colour = {bright, bright, frame.tint == Tint::Grey ? bright : std::uint8_t{0}};
+            cost = {.steps = row_of(pixel.outcome).period, .rays = row_of(pixel.outcome).rays};
+        }
+        std::copy(colour.begin(), colour.end(), &canvas.rgb[bytes_per_pixel * (row + column)]);
+        if (!canvas.costs.empty())
+            canvas.costs[row + column] = cost;
     }
 }
 
