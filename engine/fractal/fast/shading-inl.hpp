@@ -52,7 +52,7 @@ HWY_INLINE Vec brick(D d, Vec x, Vec y, Vec z, Vec depth)
 /// The colours of the greys by channel, and whether they are dithered.
 struct Paint
 {
-    std::array<HWY_ALIGN std::array<std::uint8_t, 16>, bytes_per_pixel> channels;
+    alignas(16) std::array<std::array<std::uint8_t, 16>, bytes_per_pixel> channels;
     bool dither;
 };
 
