@@ -105,7 +105,8 @@ TEST(FractalIdentity, AnyCamera)
 TEST(FractalIdentity, EverySizeOfARowAndAColumn)
 {
     protocol::Words words = words_of(table::presets[1].settings);
-    for (std::uint16_t length = 1; length < 300; length += length < 70 ? 1 : 23) {
+    for (unsigned at = 1; at < 300; at += at < 70 ? 1 : 23) {
+        const auto length = static_cast<std::uint16_t>(at);
         words[mode_word] ^= checker_bit | 1;
         expect_identity(model, words, whole({length, 3}, length));
         expect_identity(model, words, whole({3, length}, length));
