@@ -17,38 +17,26 @@
 // Behind foreach_target.h. The plain C++ that Highway may end with is not used.
 #include <hwy/highway.h>
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#include "engine/mandelbulb/fast/filter-inl.hpp"
 #include "engine/mandelbulb/fast/orbits-inl.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace raymarch::engine::mandelbulb::HWY_NAMESPACE
 {
 
-/// The pixels of a region: where rays come from, and where their ends go.
-class Pixels
+/// Where the ends of rays go.
+class Picture
 {
   public:
-    Pixels(const Frame& frame, const Region& region, const Canvas& canvas)
+    Picture(const Frame& frame, PictureSize size, const Canvas& canvas)
         : frame_(frame)
-        , region_(region)
+        , size_(size)
         , canvas_(canvas)
-        , x_(region.x)
-        , y_(region.y)
     {}
-
-    bool next(Ray& ray)
-    {
-        if (x_ >= unsigned{region_.x} + region_.width) {
-            x_ = region_.x;
-            y_ += region_.step;
-        }
-        if (region_.width == 0 || y_ >= unsigned{region_.y} + region_.height)
-            return false;
-        ray.direction = ray_direction(frame_, region_.size, static_cast<std::uint16_t>(x_),
-                                      static_cast<std::uint16_t>(y_));
-        ray.pixel = std::size_t{y_} * region_.size.width + x_;
-        x_ += region_.step;
-        return true;
-    }
 
     void finish(std::size_t pixel, Outcome outcome, int evaluations, int index)
     {
@@ -62,49 +50,205 @@ class Pixels
             canvas_.costs[pixel] = {.steps = static_cast<std::uint32_t>(evaluations), .rays = 1};
     }
 
+    /// Through the pixel, of any length.
+    [[nodiscard]] Direction vector(std::size_t pixel) const
+    {
+        return ray_vector(frame_, size_, static_cast<std::uint16_t>(pixel % size_.width),
+                          static_cast<std::uint16_t>(pixel / size_.width));
+    }
+
   private:
     const Frame& frame_;
-    const Region& region_;
+    PictureSize size_;
     const Canvas& canvas_;
+};
+
+/// The pixels of a region, one after the other.
+class Pixels
+{
+  public:
+    explicit Pixels(const Region& region) : region_(region), x_(region.x), y_(region.y) {}
+
+    bool next(std::size_t& pixel)
+    {
+        if (x_ >= unsigned{region_.x} + region_.width) {
+            x_ = region_.x;
+            y_ += region_.step;
+        }
+        if (region_.width == 0 || y_ >= unsigned{region_.y} + region_.height)
+            return false;
+        pixel = std::size_t{y_} * region_.size.width + x_;
+        x_ += region_.step;
+        return true;
+    }
+
+  private:
+    const Region& region_;
     unsigned x_;
     unsigned y_;
 };
 
-/// Rays whose numbers have more bits than a lane, one by one.
+/// The pixels that the filter leaves.
+class Undecided
+{
+  public:
+    static constexpr std::size_t capacity = 4096;
+
+    void add(std::size_t pixel) { pixels_[count_++] = static_cast<std::uint32_t>(pixel); }
+    bool next(std::size_t& pixel)
+    {
+        if (count_ == 0)
+            return false;
+        pixel = pixels_[--count_];
+        return true;
+    }
+    [[nodiscard]] std::size_t room() const { return capacity - count_; }
+
+  private:
+    std::array<std::uint32_t, capacity> pixels_; // NOLINT(*-member-init): up to count_
+    std::size_t count_ = 0;
+};
+
+/// Rays for the reference's arithmetic.
+template <class Source>
+struct Exact
+{
+    Source& source;
+    Picture& picture;
+
+    bool next(Ray& ray)
+    {
+        if (!source.next(ray.pixel))
+            return false;
+        ray.direction = unit_vector(picture.vector(ray.pixel));
+        return true;
+    }
+    void finish(std::size_t pixel, Outcome outcome, int evaluations, int index)
+    {
+        picture.finish(pixel, outcome, evaluations, index);
+    }
+};
+
+/// Rays for the filter, as long as there is room for those that it leaves.
+struct Filtered
+{
+    static constexpr std::size_t under_way = batch;
+
+    Pixels& source;
+    Picture& picture;
+    Undecided& undecided;
+    bool drained = false; ///< no pixel is left
+
+    bool next(Ray& ray)
+    {
+        if (undecided.room() <= under_way)
+            return false;
+        if (!source.next(ray.pixel)) {
+            drained = true;
+            return false;
+        }
+        ray.direction = picture.vector(ray.pixel);
+        return true;
+    }
+    void finish(std::size_t pixel, Outcome outcome, int evaluations, int index)
+    {
+        picture.finish(pixel, outcome, evaluations, index);
+    }
+    void leave(std::size_t pixel) { undecided.add(pixel); }
+};
+
+/// Marches the rays one by one where their numbers have more bits than a lane.
+template <class Rays>
+void march_all(const Course<Q64<Int128>>& course, Rays& rays)
+{
+    for (Ray ray; rays.next(ray);) {
+        const auto end =
+            march<Q64<Int128>>(course.origin, ray.direction, course.with, course.limits);
+        rays.finish(ray.pixel, end.outcome, end.evaluations, end.index);
+    }
+}
+template <class Rays>
+void march_all(const Course<Q57<Int128>>& course, Rays& rays)
+{
+    Marcher<Rays>(course, rays).run();
+}
+
+#if HWY_HAVE_FLOAT64
 template <typename Format>
-void march_alone(const Frame& frame, Pixels& pixels)
+double real_of(typename Format::Coordinate a)
+{
+    // Both parts are exact: the sum is the nearest double.
+    const double high = static_cast<double>(static_cast<std::int64_t>(a >> 32));
+    const double low = static_cast<std::uint32_t>(a);
+    return std::ldexp(std::ldexp(high, 32) + low, -Format::fraction_bits);
+}
+
+template <typename Format>
+RealCourse real_course(const Course<Format>& course)
+{
+    const Arithmetic& with = course.with;
+    const double d = with.power;
+    return {.bounds = bounds_of(with, Format::fraction_bits),
+            .power = with.power,
+            .saturating = with.derivative == DerivativeForm::Saturating,
+            .radius = real_of<Format>(escape_radius<Format>(with.power)),
+            .last = static_cast<double>(with.iterations - 1),
+            .origin = {real_of<Format>(course.origin.x), real_of<Format>(course.origin.y),
+                       real_of<Format>(course.origin.z)},
+            .first = real_of<Format>(course.first),
+            .epsilon = real_of<Format>(course.epsilon),
+            .farthest = real_of<Format>(farthest<Format>),
+            .evaluations = static_cast<double>(course.limits.evaluations),
+            .widening = d * d * d / 2.9 + 1.2 * d + 2};
+}
+#endif
+
+template <typename Format>
+void draw_in(const Frame& frame, const Region& region, const Canvas& canvas)
 {
     const Point<Format> origin = position_in<Format>(frame.position);
-    const Limits limits{frame.epsilon_shift, frame.max_evaluations};
-    for (Ray ray; pixels.next(ray);) {
-        const March<Format> end = march<Format>(origin, ray.direction, frame.arithmetic, limits);
-        pixels.finish(ray.pixel, end.outcome, end.evaluations, end.index);
+    const auto [first, index] = estimate<Format>(origin, frame.arithmetic);
+    const typename Format::Coordinate least{1};
+    const Course<Format> course{
+        .with = frame.arithmetic,
+        .limits = {frame.epsilon_shift, frame.max_evaluations},
+        .origin = origin,
+        .first = first,
+        .epsilon = std::max<typename Format::Coordinate>(least, first >> frame.epsilon_shift)};
+    Picture picture(frame, region.size, canvas);
+    Pixels pixels(region);
+    const bool hit = first <= course.epsilon;
+    const bool miss = first > farthest<Format>;
+    if (hit || miss || frame.max_evaluations == 1) {
+        const Outcome outcome = hit ? Outcome::Hit : miss ? Outcome::Miss : Outcome::Limit;
+        for (std::size_t pixel = 0; pixels.next(pixel);)
+            picture.finish(pixel, outcome, 1, index);
+        return;
     }
+#if HWY_HAVE_FLOAT64
+    const RealCourse real = real_course(course);
+    if (bounded(course.with) && 4 * real.bounds.q < real.epsilon) {
+        Undecided undecided;
+        Filtered filtered{pixels, picture, undecided};
+        Exact<Undecided> rest{undecided, picture};
+        do {
+            Filter<Filtered>(real, filtered).run();
+            march_all(course, rest);
+        } while (!filtered.drained);
+        return;
+    }
+#endif
+    Exact<Pixels> all_rays{pixels, picture};
+    march_all(course, all_rays);
 }
 
 void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept
 {
-    using Format = Q57<Int128>;
     const Frame frame = latch(words);
-    Pixels pixels(frame, region, canvas);
-    if (frame.form != Form::Q8_57)
-        return march_alone<Q64<Int128>>(frame, pixels);
-    const Point<Format> origin = position_in<Format>(frame.position);
-    const auto [first, index] = estimate<Format>(origin, frame.arithmetic);
-    const Course course{.with = frame.arithmetic,
-                        .limits = {frame.epsilon_shift, frame.max_evaluations},
-                        .origin = origin,
-                        .first = first,
-                        .epsilon = std::max<std::int64_t>(1, first >> frame.epsilon_shift)};
-    if (first <= course.epsilon || first > farthest<Format> || frame.max_evaluations == 1) {
-        const Outcome outcome = first <= course.epsilon    ? Outcome::Hit
-                                : first > farthest<Format> ? Outcome::Miss
-                                                           : Outcome::Limit;
-        for (Ray ray; pixels.next(ray);)
-            pixels.finish(ray.pixel, outcome, 1, index);
-        return;
-    }
-    Marcher<Pixels>(course, pixels).run();
+    if (frame.form == Form::Q8_57)
+        draw_in<Q57<Int128>>(frame, region, canvas);
+    else
+        draw_in<Q64<Int128>>(frame, region, canvas);
 }
 
 } // namespace raymarch::engine::mandelbulb::HWY_NAMESPACE

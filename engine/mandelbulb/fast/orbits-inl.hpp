@@ -76,13 +76,14 @@ struct Ray
 };
 
 /// What all rays share.
+template <typename Format>
 struct Course
 {
     Arithmetic with;
     Limits limits;
-    Point<Q57<Int128>> origin;
-    std::int64_t first; ///< the distance at the origin, which is every ray's first evaluation
-    std::int64_t epsilon;
+    Point<Format> origin;
+    typename Format::Coordinate first; ///< the distance at the origin: every ray's first evaluation
+    typename Format::Coordinate epsilon;
 };
 
 /// Marches rays from their second evaluation on. `Rays` gives the next ray, or says that there is
@@ -91,7 +92,9 @@ template <class Rays>
 class Marcher
 {
   public:
-    Marcher(const Course& course, Rays& rays)
+    using Format = Q57<Int128>;
+
+    Marcher(const Course<Format>& course, Rays& rays)
         : course_(course)
         , cordic_(course.with.steps)
         , rays_(rays)
@@ -112,8 +115,6 @@ class Marcher
     }
 
   private:
-    using Format = Q57<Int128>;
-
     /// Radius and angles of all points.
     void measure()
     {
@@ -248,7 +249,7 @@ class Marcher
         evaluations_[slot] = evaluations_[last];
     }
 
-    const Course& course_;
+    const Course<Format>& course_;
     Cordic cordic_;
     Rays& rays_;
     std::size_t count_ = 0; ///< slots in use, from 0 on
