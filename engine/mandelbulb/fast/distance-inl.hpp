@@ -20,14 +20,14 @@ inline constexpr std::uint64_t unit = std::uint64_t{1} << unit_bits;
 /// ln r of a radius from 1 on and below 64.
 HWY_INLINE Batch logarithm(const Batch& r, int steps)
 {
-    constexpr int integer_bits = 6;
+    constexpr int integer_bits = 8; // six, and up to a power of two;
     static constexpr auto table = logarithms_in<unit_bits>();
     Batch mantissa;
     Batch product;
     Batch sum;
     for (std::size_t j = 0; j < in_flight; ++j) {
         const Vec exponent =
-            hn::Sub(bit_length(hn::ShiftRight<unit_bits>(r[j]), integer_bits), all(1));
+            hn::Sub(bit_length<integer_bits>(hn::ShiftRight<unit_bits>(r[j])), all(1));
         mantissa[j] = hn::Shr(r[j], hn::And(exponent, all(63))); // below 1: anything
         product[j] = all(unit);
         sum[j] = multiply_low(all(table[0]), exponent);

@@ -94,6 +94,35 @@ struct RealCourse
     double widening;    ///< how fast the map's first derivative grows beside a point
 };
 
+/// The nearest double.
+template <typename Format>
+double real_of(typename Format::Coordinate a)
+{
+    // Both parts are exact: the sum is the nearest double.
+    const double high = static_cast<double>(static_cast<std::int64_t>(a >> 32));
+    const double low = static_cast<std::uint32_t>(a);
+    return std::ldexp(std::ldexp(high, 32) + low, -Format::fraction_bits);
+}
+
+template <typename Format>
+RealCourse real_course(const Course<Format>& course)
+{
+    const Arithmetic& with = course.with;
+    const double d = with.power;
+    return {.bounds = bounds_of(with, Format::fraction_bits),
+            .power = with.power,
+            .saturating = with.derivative == DerivativeForm::Saturating,
+            .radius = real_of<Format>(escape_radius<Format>(with.power)),
+            .last = static_cast<double>(with.iterations - 1),
+            .origin = {real_of<Format>(course.origin.x), real_of<Format>(course.origin.y),
+                       real_of<Format>(course.origin.z)},
+            .first = real_of<Format>(course.first),
+            .epsilon = real_of<Format>(course.epsilon),
+            .farthest = real_of<Format>(farthest<Format>),
+            .evaluations = static_cast<double>(course.limits.evaluations),
+            .widening = d * d * d / 2.9 + 1.2 * d + 2};
+}
+
 /// One ray and its orbit, or a vector of them. The real orbit is a function of t; `_off` bounds how
 /// far the number before it is from that function's value at any t within t_off, `_noise` how far
 /// the pipeline and this computation together are from the function.
@@ -129,6 +158,28 @@ HWY_INLINE void place(const RealCourse& course, Track& track)
     track.noise = track.tangent_off = track.point_noise;
     track.dr = real(1);
     track.dr_noise = track.dr_slope = track.dr_slope_off = track.index = hn::Zero(Reals());
+}
+
+/// A ray along `vector`, of any length, behind its first evaluation.
+inline TrackOf<double> start_of(const RealCourse& course, const Direction& vector)
+{
+    const double along[3] = {static_cast<double>(vector.x), static_cast<double>(vector.y),
+                             static_cast<double>(vector.z)};
+    const double length =
+        std::sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
+    TrackOf<double> track{};
+    track.t = course.first;
+    track.t_off = std::ldexp(course.first, -52);
+    track.evaluations = 1;
+    // The reference has the length's floor, 57 bits of the ray, and more of the point.
+    track.point_noise = 0x1p-46 + 20 / length;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        track.direction[axis] = track.tangent[axis] = along[axis] / length;
+        track.w[axis] = course.origin[axis] + track.t * track.direction[axis];
+    }
+    track.noise = track.tangent_off = track.point_noise;
+    track.dr = 1;
+    return track;
 }
 
 /// Products of sums that the names below are made of.
@@ -450,23 +501,7 @@ class Filter
             return;
         pixels_[lane] = ray.pixel;
         ++under_way_;
-        TrackOf<double> track{};
-        const std::array<double, 3> along = {static_cast<double>(ray.direction.x),
-                                             static_cast<double>(ray.direction.y),
-                                             static_cast<double>(ray.direction.z)};
-        const double length =
-            std::sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
-        track.t = course_.first;
-        track.t_off = std::ldexp(course_.first, -52);
-        track.evaluations = 1;
-        // The reference has the length's floor, 57 bits of the ray, and more of the point.
-        track.point_noise = 0x1p-46 + 20 / length;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            track.direction[axis] = track.tangent[axis] = along[axis] / length;
-            track.w[axis] = course_.origin[axis] + track.t * track.direction[axis];
-        }
-        track.noise = track.tangent_off = track.point_noise;
-        track.dr = 1;
+        const auto track = start_of(course_, ray.direction);
         const auto values = std::bit_cast<std::array<double, track_columns>>(track);
         for (std::size_t i = 0; i < track_columns; ++i)
             columns_[lane / real_lanes][i][lane % real_lanes] = values[i];

@@ -88,32 +88,38 @@ class Pixels
     unsigned y_;
 };
 
-/// The pixels that the filter leaves.
+/// The pixels that the filter has not decided: those that it left, and, once it is given up, all
+/// that come after.
 class Undecided
 {
   public:
     static constexpr std::size_t capacity = 4096;
 
-    void add(std::size_t pixel) { pixels_[count_++] = static_cast<std::uint32_t>(pixel); }
+    explicit Undecided(Pixels& all) : all_(all) {}
+
+    void add(std::size_t pixel) { left_[count_++] = static_cast<std::uint32_t>(pixel); }
+    void add_all() { whole_ = true; }
+    [[nodiscard]] std::size_t room() const { return capacity - count_; }
+
     bool next(std::size_t& pixel)
     {
         if (count_ == 0)
-            return false;
-        pixel = pixels_[--count_];
+            return whole_ && all_.next(pixel);
+        pixel = left_[--count_];
         return true;
     }
-    [[nodiscard]] std::size_t room() const { return capacity - count_; }
 
   private:
-    std::array<std::uint32_t, capacity> pixels_; // NOLINT(*-member-init): up to count_
+    Pixels& all_;
+    bool whole_ = false;
     std::size_t count_ = 0;
+    std::array<std::uint32_t, capacity> left_; // NOLINT(*-member-init): up to count_
 };
 
 /// Rays for the reference's arithmetic.
-template <class Source>
-struct Exact
+struct ExactRays
 {
-    Source& source;
+    Undecided& source;
     Picture& picture;
 
     bool next(Ray& ray)
@@ -129,32 +135,48 @@ struct Exact
     }
 };
 
-/// Rays for the filter, as long as there is room for those that it leaves.
-struct Filtered
+/// Rays for the filter, as long as it is worth while and there is room for those that it leaves.
+class FilteredRays
 {
-    static constexpr std::size_t under_way = batch;
-
-    Pixels& source;
-    Picture& picture;
-    Undecided& undecided;
-    bool drained = false; ///< no pixel is left
+  public:
+    FilteredRays(Pixels& source, Picture& picture, Undecided& undecided)
+        : source_(source)
+        , picture_(picture)
+        , undecided_(undecided)
+    {}
 
     bool next(Ray& ray)
     {
-        if (undecided.room() <= under_way)
+        if (undecided_.room() <= batch || done())
             return false;
-        if (!source.next(ray.pixel)) {
-            drained = true;
+        if (!source_.next(ray.pixel)) {
+            drained_ = true;
             return false;
         }
-        ray.direction = picture.vector(ray.pixel);
+        ray.direction = picture_.vector(ray.pixel);
         return true;
     }
     void finish(std::size_t pixel, Outcome outcome, int evaluations, int index)
     {
-        picture.finish(pixel, outcome, evaluations, index);
+        picture_.finish(pixel, outcome, evaluations, index);
+        ++decided_;
     }
-    void leave(std::size_t pixel) { undecided.add(pixel); }
+    void leave(std::size_t pixel)
+    {
+        undecided_.add(pixel);
+        ++given_up_;
+    }
+    /// A ray that is left has cost about a fifth of its exact way.
+    [[nodiscard]] bool worthwhile() const { return given_up_ < 4 * decided_ + 64; }
+    [[nodiscard]] bool done() const { return drained_ || !worthwhile(); }
+
+  private:
+    Pixels& source_;
+    Picture& picture_;
+    Undecided& undecided_;
+    std::size_t decided_ = 0;
+    std::size_t given_up_ = 0;
+    bool drained_ = false;
 };
 
 /// Marches the rays one by one where their numbers have more bits than a lane.
@@ -172,36 +194,6 @@ void march_all(const Course<Q57<Int128>>& course, Rays& rays)
 {
     Marcher<Rays>(course, rays).run();
 }
-
-#if HWY_HAVE_FLOAT64
-template <typename Format>
-double real_of(typename Format::Coordinate a)
-{
-    // Both parts are exact: the sum is the nearest double.
-    const double high = static_cast<double>(static_cast<std::int64_t>(a >> 32));
-    const double low = static_cast<std::uint32_t>(a);
-    return std::ldexp(std::ldexp(high, 32) + low, -Format::fraction_bits);
-}
-
-template <typename Format>
-RealCourse real_course(const Course<Format>& course)
-{
-    const Arithmetic& with = course.with;
-    const double d = with.power;
-    return {.bounds = bounds_of(with, Format::fraction_bits),
-            .power = with.power,
-            .saturating = with.derivative == DerivativeForm::Saturating,
-            .radius = real_of<Format>(escape_radius<Format>(with.power)),
-            .last = static_cast<double>(with.iterations - 1),
-            .origin = {real_of<Format>(course.origin.x), real_of<Format>(course.origin.y),
-                       real_of<Format>(course.origin.z)},
-            .first = real_of<Format>(course.first),
-            .epsilon = real_of<Format>(course.epsilon),
-            .farthest = real_of<Format>(farthest<Format>),
-            .evaluations = static_cast<double>(course.limits.evaluations),
-            .widening = d * d * d / 2.9 + 1.2 * d + 2};
-}
-#endif
 
 template <typename Format>
 void draw_in(const Frame& frame, const Region& region, const Canvas& canvas)
@@ -225,21 +217,24 @@ void draw_in(const Frame& frame, const Region& region, const Canvas& canvas)
             picture.finish(pixel, outcome, 1, index);
         return;
     }
+    Undecided undecided(pixels);
+    ExactRays exact{undecided, picture};
 #if HWY_HAVE_FLOAT64
     const RealCourse real = real_course(course);
+    // Else no hit can be told from a ray that has yet to come to it.
     if (bounded(course.with) && 4 * real.bounds.q < real.epsilon) {
-        Undecided undecided;
-        Filtered filtered{pixels, picture, undecided};
-        Exact<Undecided> rest{undecided, picture};
-        do {
-            Filter<Filtered>(real, filtered).run();
-            march_all(course, rest);
-        } while (!filtered.drained);
+        FilteredRays filtered(pixels, picture, undecided);
+        while (!filtered.done()) {
+            Filter<FilteredRays>(real, filtered).run();
+            if (!filtered.worthwhile())
+                undecided.add_all();
+            march_all(course, exact);
+        }
         return;
     }
 #endif
-    Exact<Pixels> all_rays{pixels, picture};
-    march_all(course, all_rays);
+    undecided.add_all();
+    march_all(course, exact);
 }
 
 void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept

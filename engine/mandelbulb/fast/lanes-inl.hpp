@@ -109,6 +109,7 @@ HWY_INLINE Vec multiply_low(Vec a, Vec b)
                    hn::ShiftLeft<32>(multiply_halves(hn::ShiftRight<32>(a), b)));
 }
 
+/// The compiler finds that a square has two equal parts.
 HWY_INLINE DoubleWord multiply(Vec a, Vec b)
 {
     const Vec half = all(0xFFFF'FFFF);
@@ -116,7 +117,7 @@ HWY_INLINE DoubleWord multiply(Vec a, Vec b)
     const Vec b1 = hn::ShiftRight<32>(b);
     const Vec low = multiply_halves(a, b);
     const Vec middle = hn::Add(multiply_halves(a1, b), hn::ShiftRight<32>(low));
-    const Vec other = hn::Add(multiply_halves(a, b1), hn::And(middle, half));
+    const Vec other = hn::Add(multiply_halves(b1, a), hn::And(middle, half));
     const Vec high = hn::Add(multiply_halves(a1, b1),
                              hn::Add(hn::ShiftRight<32>(middle), hn::ShiftRight<32>(other)));
     return {high, hn::Or(hn::ShiftLeft<32>(other), hn::And(low, half))};

@@ -17,21 +17,27 @@ namespace raymarch::engine::mandelbulb::HWY_NAMESPACE
 
 inline constexpr int unit_bits = Q57<Int128>::fraction_bits;
 
-/// Ones from the leading one on down; nothing of a is set from `width` on.
-HWY_INLINE Vec filled(Vec a, int width)
+/// Ones from the leading one on down; a is below 2^width.
+template <int width>
+HWY_INLINE Vec filled(Vec a)
 {
-    for (int by = 1; by < width; by *= 2)
-        a = hn::Or(a, shift_right(a, by));
-    return a;
+    if constexpr (width > 1) {
+        constexpr int half = width / 2;
+        a = filled<half>(a);
+        return hn::Or(a, hn::ShiftRight<half>(a));
+    } else {
+        return a;
+    }
 }
 
 /// How many bits it takes to write a: the index of the leading one, and one; 0 for 0.
-HWY_INLINE Vec bit_length(Vec a, int width = 64)
+template <int width = 64>
+HWY_INLINE Vec bit_length(Vec a)
 {
-    return hn::PopulationCount(filled(a, width));
+    return hn::PopulationCount(filled<width>(a));
 }
 
-/// Clears all but the `kept` bits from the leading one on. What lies above the lowest `kept` bits
+/// Clears all but the `kept` bits from the leading one on: what lies above the lowest `kept` bits
 /// is as long as what is cleared.
 HWY_INLINE Vec keep(Vec a, int kept)
 {
@@ -40,17 +46,22 @@ HWY_INLINE Vec keep(Vec a, int kept)
     const Vec above = shift_right(a, kept);
     if (hn::AllTrue(Words(), hn::Eq(above, hn::Zero(Words()))))
         return a;
-    return hn::AndNot(filled(above, all_bits - kept), a);
+    const Vec cleared = kept >= 48   ? filled<16>(above)
+                        : kept >= 32 ? filled<32>(above)
+                                     : filled<64>(above);
+    return hn::AndNot(cleared, a);
 }
 
-HWY_INLINE Vec approximate_product(Vec a, Vec b, int kept)
+/// Of what keep() has left of the factors.
+HWY_INLINE Vec kept_product(Vec a, Vec b)
 {
-    return shifted<unit_bits>(multiply(keep(a, kept), keep(b, kept)));
+    return shifted<unit_bits>(multiply(a, b));
 }
 
+/// As Powers; of the lower one what keep() leaves, which is all that the derivative takes.
 struct PowersBatch
 {
-    Batch lower;
+    Batch kept_lower;
     Batch upper;
 };
 
@@ -58,18 +69,19 @@ HWY_INLINE PowersBatch powers(const Batch& r, int d, int kept)
 {
     PowersBatch result;
     for (std::size_t j = 0; j < in_flight; ++j) {
-        Vec square = r[j];
+        const Vec own = keep(r[j], kept);
+        Vec square = own;
         int n = d - 1;
         for (; n % 2 == 0; n /= 2)
-            square = approximate_product(square, square, kept);
+            square = keep(kept_product(square, square), kept);
         Vec lower = square;
         while ((n /= 2) != 0) {
-            square = approximate_product(square, square, kept);
+            square = keep(kept_product(square, square), kept);
             if (n % 2 != 0)
-                lower = approximate_product(lower, square, kept);
+                lower = keep(kept_product(lower, square), kept);
         }
-        result.lower[j] = lower;
-        result.upper[j] = approximate_product(lower, r[j], kept);
+        result.kept_lower[j] = lower;
+        result.upper[j] = kept_product(lower, own);
     }
     return result;
 }
@@ -82,8 +94,8 @@ struct DerivativeBatch
 };
 
 /// d * r^(d-1) * dr + 1 takes 73 bits at most: r^(d-1) is below 32, and d at most 16.
-HWY_INLINE DerivativeBatch next_derivative(const DerivativeBatch& dr, const Batch& power, int d,
-                                           int kept, DerivativeForm form)
+HWY_INLINE DerivativeBatch next_derivative(const DerivativeBatch& dr, const Batch& kept_power,
+                                           int d, int kept, DerivativeForm form)
 {
     constexpr int overflow_bits = 16;
     const Vec one = all(1);
@@ -91,7 +103,7 @@ HWY_INLINE DerivativeBatch next_derivative(const DerivativeBatch& dr, const Batc
     DerivativeBatch next;
     for (std::size_t j = 0; j < in_flight; ++j) {
         const Vec fraction = dr.fraction_bits[j];
-        const DoubleWord whole = multiply(keep(power[j], kept), keep(dr.mantissa[j], kept));
+        const DoubleWord whole = multiply(kept_power[j], keep(dr.mantissa[j], kept));
         const Vec product = shifted<unit_bits>(whole);
         const Vec first = multiply_halves(product, factor);
         const Vec second = hn::Add(multiply_halves(hn::ShiftRight<32>(product), factor),
@@ -107,7 +119,7 @@ HWY_INLINE DerivativeBatch next_derivative(const DerivativeBatch& dr, const Batc
             next.mantissa[j] = hn::Or(hn::Not(fits), sum);
             next.fraction_bits[j] = fraction;
         } else {
-            const Vec slide = bit_length(overflow, overflow_bits);
+            const Vec slide = bit_length<overflow_bits>(overflow);
             const Vec upper =
                 hn::ShiftLeft<1>(hn::Shl(overflow, hn::Sub(all(63), slide))); // 64 is no shift
             next.mantissa[j] = hn::Or(upper, hn::Shr(sum, slide));

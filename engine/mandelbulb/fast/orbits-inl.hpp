@@ -155,7 +155,7 @@ class Marcher
             const PowersBatch power = powers(going.gather(r_, at), with.power, with.kept_bits);
             const DerivativeBatch dr =
                 next_derivative({going.gather(mantissa_, at), going.gather(fraction_bits_, at)},
-                                power.lower, with.power, with.kept_bits, with.derivative);
+                                power.kept_lower, with.power, with.kept_bits, with.derivative);
             going.scatter(dr.mantissa, mantissa_, at);
             going.scatter(dr.fraction_bits, fraction_bits_, at);
             const CartesianBatch up =
