@@ -38,16 +38,16 @@ HWY_INLINE Vec all(std::uint64_t value)
 
 HWY_INLINE Batch load(const std::uint64_t* from)
 {
-    Batch batch;
+    Batch values;
     for (std::size_t j = 0; j < in_flight; ++j)
-        batch[j] = hn::LoadU(Words(), from + j * lanes);
-    return batch;
+        values[j] = hn::LoadU(Words(), from + j * lanes);
+    return values;
 }
 
-HWY_INLINE void store(const Batch& batch, std::uint64_t* to)
+HWY_INLINE void store(const Batch& values, std::uint64_t* to)
 {
     for (std::size_t j = 0; j < in_flight; ++j)
-        hn::StoreU(batch[j], Words(), to + j * lanes);
+        hn::StoreU(values[j], Words(), to + j * lanes);
 }
 
 /// All ones for a negative number, else 0, as sign_of() of the scalar stages.

@@ -52,10 +52,10 @@ class Selection
             result[j] = hn::GatherIndex(Words(), column.data(), vector(at, j));
         return result;
     }
-    HWY_INLINE void scatter(const Batch& batch, Column& column, std::size_t at) const
+    HWY_INLINE void scatter(const Batch& values, Column& column, std::size_t at) const
     {
         for (std::size_t j = 0; j < in_flight; ++j)
-            hn::ScatterIndex(batch[j], Words(), column.data(), vector(at, j));
+            hn::ScatterIndex(values[j], Words(), column.data(), vector(at, j));
     }
 
   private:
