@@ -5,6 +5,7 @@
 
 #include "engine/fractal/fast/kernels.hpp"
 #include "engine/fractal/fractal.hpp"
+#include "engine/mandelbulb/fast/kernels.hpp"
 #include "engine/mandelbulb/mandelbulb.hpp"
 #include "engine/marcher/marcher.hpp"
 #include "engine/model.hpp"
@@ -38,7 +39,8 @@ inline constexpr std::array models = {
     Model{.description = &protocol::mandelbulb::description,
           .steps = "evaluations of the distance",
           .draw_row = mandelbulb::draw_row,
-          .frame_cycles = mandelbulb::frame_cycles},
+          .frame_cycles = mandelbulb::frame_cycles,
+          .kernels = mandelbulb::kernels},
     Model{.description = &protocol::whitted::description,
           .steps = "clock cycles of the picture's pixels",
           .draw_row = whitted::draw_row,
