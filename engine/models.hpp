@@ -11,6 +11,7 @@
 #include "engine/model.hpp"
 #include "engine/sphere/fast/kernels.hpp"
 #include "engine/sphere/sphere.hpp"
+#include "engine/whitted/fast/kernels.hpp"
 #include "engine/whitted/whitted.hpp"
 #include "protocol/accelerators.hpp"
 
@@ -45,7 +46,8 @@ inline constexpr std::array models = {
           .steps = "clock cycles of the picture's pixels",
           .draw_row = whitted::draw_row,
           .frame_cycles = whitted::frame_cycles,
-          .frame_rays = whitted::frame_rays},
+          .frame_rays = whitted::frame_rays,
+          .kernels = whitted::fast::kernels},
 };
 
 /// The model of a description that stands in protocol::accelerators.
