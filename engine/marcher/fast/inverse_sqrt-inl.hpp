@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// The inverse square root stage on vectors (docs/engine.md, 2 and "Fast kernels"). Included by
+// kernel.cpp alone, once for each instruction set: no include guard.
+
+HWY_BEFORE_NAMESPACE();
+namespace raymarch::engine::marcher::HWY_NAMESPACE
+{
+
+/// S = n * 2^-z with the top bit of n set. A zero gives an exponent that shifts everything out.
+struct Normalised
+{
+    Words upper;    ///< of n, 32 bits; its top bit may be missing
+    Words exponent; ///< e = 63 - z, plus a bias that is odd
+};
+
+#if HWY_HAVE_FLOAT64
+
+constexpr std::uint32_t exponent_bias = 1023;
+
+/// The number as a double, whose mantissa begins with n and whose exponent is e.
+HWY_INLINE Longs bits_of_double(Longs s)
+{
+    // The upper half times 2^32 and the lower half, each exact behind a magic exponent; their sum
+    // is rounded. To keep a carry from running into the upper 32 bits of n, a zero is put in its
+    // way: bit e - 40 is cleared, with some of those below it.
+    const hn::Repartition<double, LongTag> doubles;
+    const Longs safe = hn::AndNot(hn::ShiftRight<40>(s), s);
+    const Longs high = hn::Or(hn::ShiftRight<32>(safe), hn::Set(LongTag(), 0x4530'0000'0000'0000));
+    const auto low = hn::OddEven(hn::BitCast(WordTag(), hn::Set(LongTag(), 0x4330'0000'0000'0000)),
+                                 hn::BitCast(WordTag(), safe));
+    const auto upper = hn::Sub(hn::BitCast(doubles, high), hn::Set(doubles, 0x1.00000001p84));
+    return hn::BitCast(LongTag(), hn::Add(upper, hn::BitCast(doubles, low)));
+}
+
+HWY_INLINE Normalised normalised(const Wide& s)
+{
+    const Wide bits{bits_of_double(s.even), bits_of_double(s.odd)};
+    const Words top = upper(bits);
+    return {lower({hn::ShiftRight<21>(bits.even), hn::ShiftRight<21>(bits.odd)}),
+            hn::ShiftRight<20>(top)};
+}
+
+#else // the board's vectors have no doubles, but count leading zeros
+
+constexpr std::uint32_t exponent_bias = 1;
+
+HWY_INLINE Words leading_zeros(Words v)
+{
+    return Words(vclzq_u32(v.raw));
+}
+
+HWY_INLINE Normalised normalised(const Wide& s)
+{
+    const Words high = upper(s);
+    const Words low = lower(s);
+    const Words of_high = leading_zeros(high);
+    const Words of_low = leading_zeros(low);
+    const Words zeros =
+        hn::IfThenElse(hn::Eq(of_high, all_words(32)), of_low + all_words(32), of_high);
+    // From 32 on, a shift takes what it needs from the lower half alone.
+    const Words left = high << hn::Min(zeros, all_words(31));
+    const Words in_low = low << hn::And(zeros, all_words(31));
+    const Words from_low =
+        low >> (all_words(32) - hn::Min(hn::Max(zeros, all_words(1)), all_words(31)));
+    const auto far = hn::Gt(zeros, all_words(31));
+    const auto none = hn::Eq(zeros, hn::Zero(WordTag()));
+    return {hn::IfThenElse(far, in_low, hn::Or(left, hn::IfThenZeroElse(none, from_low))),
+            all_words(63 + exponent_bias) - zeros};
+}
+
+#endif
+
+/// As InverseSqrt, without the shift, which each use has its own way to come by.
+HWY_INLINE Words mantissa(const Normalised& n)
+{
+    using namespace inverse_sqrt_table;
+    const Words index = hn::And(hn::ShiftRight<31 - index_bits>(n.upper), all_words(entries - 1));
+    const Words step = hn::And(hn::ShiftRight<31 - index_bits - step_bits>(n.upper),
+                               all_words((1U << step_bits) - 1));
+    const Words begin = hn::GatherIndex(WordTag(), table.data(), as_ints(index));
+    const Words end = hn::GatherIndex(WordTag(), table.data() + 1, as_ints(index));
+    const Words interpolated = begin - hn::ShiftRight<step_bits>((begin - end) * step);
+    // An even e wants * half_root >> 32; that constant is even, so * half_root/2 >> 31 is the
+    // same, and * 2^31 >> 31 leaves the others as they are.
+    static_assert(half_root % 2 == 0);
+    const auto odd_exponent = hn::Eq(hn::And(n.exponent, all_words(1)), hn::Zero(WordTag()));
+    const Words factor = hn::IfThenElse(odd_exponent, all_words(1U << 31),
+                                        all_words(static_cast<std::uint32_t>(half_root / 2)));
+    const Wide product = multiply(interpolated, factor);
+    return lower({hn::ShiftRight<31>(product.even), hn::ShiftRight<31>(product.odd)});
+}
+
+HWY_INLINE Wide square(Ints v)
+{
+    return multiply(v, v);
+}
+
+/// v / |v| of 32-bit integers whose squares add up to S below 2^64; zero for zero.
+HWY_INLINE Points normalise(const Points& v)
+{
+    const Normalised n = normalised(add(add(square(v.x), square(v.y)), square(v.z)));
+    const Ints m = as_ints(mantissa(n)); // below 2^31
+    // s = 6 + ceil(e / 2), at most 38: of the 64-bit quotient at least 26 bits are left when zeros
+    // come in from above. The component has 26 with its sign; it is extended again.
+    const Words shift =
+        hn::ShiftRight<1>(n.exponent) - all_words((exponent_bias - 1) / 2) + all_words(6);
+    const Wide x = shift_right(multiply(v.x, m), shift);
+    const Wide y = shift_right(multiply(v.y, m), shift);
+    const Wide z = shift_right(multiply(v.z, m), shift);
+    return {hn::ShiftRight<6>(hn::ShiftLeft<6>(as_ints(lower(x)))),
+            hn::ShiftRight<6>(hn::ShiftLeft<6>(as_ints(lower(y)))),
+            hn::ShiftRight<6>(hn::ShiftLeft<6>(as_ints(lower(z))))};
+}
+
+/// The root of S as the model's length() takes it.
+HWY_INLINE Ints length(const Wide& squared)
+{
+    const Normalised n = normalised(squared);
+    const Words m = mantissa(n);
+    const Words above = hn::Or(n.upper, all_words(1U << 31));
+    // s + z - 8 = 61 - floor(e / 2)
+    const Words shift =
+        all_words(61 + (exponent_bias + 1) / 2) - hn::ShiftRight<1>(n.exponent + all_words(1));
+    return as_ints(lower(shift_right(multiply(above, m), shift)));
+}
+
+} // namespace raymarch::engine::marcher::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
