@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/marcher/fast/kernel.hpp"
 
+#include "engine/marcher/fast/orders.hpp"
 #include "engine/marcher/fast/outline.hpp"
 #include "engine/marcher/frame.hpp"
 #include "engine/marcher/inverse_sqrt_table.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3 // no model has a row for it
@@ -23,6 +25,8 @@
 #if HWY_TARGET != HWY_SCALAR // Highway's own, compiled where nothing else is certain to run
 
 #include "engine/marcher/fast/lanes-inl.hpp"
+
+#include "engine/marcher/fast/compaction-inl.hpp"
 
 #include "engine/marcher/fast/inverse_sqrt-inl.hpp"
 

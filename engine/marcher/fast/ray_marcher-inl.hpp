@@ -102,25 +102,23 @@ HWY_INLINE void advance(Rays& rays, std::size_t at, std::size_t& kept, int steps
         const Chosen blocked = flight.d < all(surface_distance.raw());
         const Chosen hit = hn::And(hn::And(near, blocked), flight.t + flight.d < too_far);
         const Chosen on = hn::AndNot(blocked, near);
-        if (!hn::AllFalse(IntTag(), hit)) {
-            hn::CompressStore(x, hit, IntTag(), &hits.x[hits.count]);
-            hn::CompressStore(y, hit, IntTag(), &hits.y[hits.count]);
-            hn::CompressStore(z, hit, IntTag(), &hits.z[hits.count]);
-            hn::CompressStore(flight.t, hit, IntTag(), &hits.t[hits.count]);
-            if constexpr (counting == Counting::On)
-                hn::CompressStore(flight.spent, hit, IntTag(), &hits.spent[hits.count]);
-            hits.count += hn::CompressStore(pixel, hit, IntTag(), &hits.pixel[hits.count]);
-        }
         if constexpr (counting == Counting::On)
             lost(hn::AndNot(hn::Or(hit, on), hn::FirstN(IntTag(), rays.count - from)), pixel,
                  flight.spent);
-        hn::CompressStore(x, on, IntTag(), &rays.x[kept]);
-        hn::CompressStore(y, on, IntTag(), &rays.y[kept]);
-        hn::CompressStore(z, on, IntTag(), &rays.z[kept]);
-        hn::CompressStore(flight.t, on, IntTag(), &rays.t[kept]);
-        if constexpr (counting == Counting::On)
-            hn::CompressStore(flight.spent, on, IntTag(), &rays.spent[kept]);
-        kept += hn::CompressStore(pixel, on, IntTag(), &rays.pixel[kept]);
+        const auto keep = [&](Chosen which, Rays& to, std::size_t& count) HWY_ATTR {
+            const Compaction compaction(which);
+            compaction.store(x, &to.x[count]);
+            compaction.store(y, &to.y[count]);
+            compaction.store(z, &to.z[count]);
+            compaction.store(flight.t, &to.t[count]);
+            compaction.store(pixel, &to.pixel[count]);
+            if constexpr (counting == Counting::On)
+                compaction.store(flight.spent, &to.spent[count]);
+            count += compaction.count();
+        };
+        if (!hn::AllFalse(IntTag(), hit))
+            keep(hit, hits, hits.count);
+        keep(on, rays, kept);
     }
 }
 

@@ -118,8 +118,10 @@ class RegionDrawing
         hits_.count = 0;
         const auto lost = [this](Chosen which, Ints pixel, Ints spent) HWY_ATTR {
             Misses misses{};
-            hn::CompressStore(spent, which, IntTag(), misses.spent.data());
-            misses.count = hn::CompressStore(pixel, which, IntTag(), misses.pixel.data());
+            const Compaction compaction(which);
+            compaction.store(spent, misses.spent.data());
+            compaction.store(pixel, misses.pixel.data());
+            misses.count = compaction.count();
             count_misses(misses);
         };
         march<Scene, counting>(rays_, all(frame_.eye), hits_, lost);
