@@ -42,4 +42,13 @@ consteval std::array<std::uint32_t, entries + 1> make_table()
 
 inline constexpr auto table = make_table();
 
+/// Each entry with what it falls by to the next, so that one access takes both: T[i] in the lower
+/// half, T[i] - T[i+1] in the upper.
+inline constexpr auto falls = [] {
+    std::array<std::uint64_t, entries> pairs{};
+    for (std::size_t i = 0; i < entries; ++i)
+        pairs[i] = table[i] | std::uint64_t{table[i] - table[i + 1]} << 32;
+    return pairs;
+}();
+
 } // namespace raymarch::engine::marcher::inverse_sqrt_table

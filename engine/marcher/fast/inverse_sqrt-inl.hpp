@@ -70,6 +70,41 @@ HWY_INLINE Normalised normalised(const Wide& s)
 
 #endif
 
+/// T[i] below, T[i] - T[i+1] above.
+HWY_INLINE Wide falling_entries(Words index)
+{
+#if HWY_TARGET == HWY_AVX2
+    // On Zen 3 three quarters of the time that two gathers take.
+    const auto pair = [&](auto place) HWY_ATTR {
+        return static_cast<std::uint64_t>(_mm256_extract_epi64(index.raw, place()));
+    };
+    const std::uint64_t at01 = pair(std::integral_constant<int, 0>());
+    const std::uint64_t at23 = pair(std::integral_constant<int, 1>());
+    const std::uint64_t at45 = pair(std::integral_constant<int, 2>());
+    const std::uint64_t at67 = pair(std::integral_constant<int, 3>());
+    const auto even = [&](std::uint64_t low, std::uint64_t high) HWY_ATTR {
+        return _mm_set_epi64x(
+            static_cast<std::int64_t>(inverse_sqrt_table::falls[high & 0xFFFF'FFFF]),
+            static_cast<std::int64_t>(inverse_sqrt_table::falls[low & 0xFFFF'FFFF]));
+    };
+    const auto odd = [&](std::uint64_t low, std::uint64_t high) HWY_ATTR {
+        return _mm_set_epi64x(static_cast<std::int64_t>(inverse_sqrt_table::falls[high >> 32]),
+                              static_cast<std::int64_t>(inverse_sqrt_table::falls[low >> 32]));
+    };
+    return {Longs{_mm256_set_m128i(even(at45, at67), even(at01, at23))},
+            Longs{_mm256_set_m128i(odd(at45, at67), odd(at01, at23))}};
+#else
+    const hn::RebindToSigned<LongTag> places;
+    const Longs at = hn::BitCast(LongTag(), index);
+    const auto entries_at = [&](Longs place) HWY_ATTR {
+        return hn::GatherIndex(LongTag(), inverse_sqrt_table::falls.data(),
+                               hn::BitCast(places, place));
+    };
+    return {entries_at(hn::And(at, hn::Set(LongTag(), 0xFFFF'FFFF))),
+            entries_at(hn::ShiftRight<32>(at))};
+#endif
+}
+
 /// As InverseSqrt, without the shift, which each use has its own way to come by.
 HWY_INLINE Words mantissa(const Normalised& n)
 {
@@ -77,9 +112,8 @@ HWY_INLINE Words mantissa(const Normalised& n)
     const Words index = hn::And(hn::ShiftRight<31 - index_bits>(n.upper), all_words(entries - 1));
     const Words step = hn::And(hn::ShiftRight<31 - index_bits - step_bits>(n.upper),
                                all_words((1U << step_bits) - 1));
-    const Words begin = hn::GatherIndex(WordTag(), table.data(), as_ints(index));
-    const Words end = hn::GatherIndex(WordTag(), table.data() + 1, as_ints(index));
-    const Words interpolated = begin - hn::ShiftRight<step_bits>((begin - end) * step);
+    const Wide entry = falling_entries(index);
+    const Words interpolated = lower(entry) - hn::ShiftRight<step_bits>(upper(entry) * step);
     // An even e wants * half_root >> 32; that constant is even, so * half_root/2 >> 31 is the
     // same, and * 2^31 >> 31 leaves the others as they are.
     static_assert(half_root % 2 == 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/marcher/fast/kernel.hpp"
 
-#include "engine/marcher/fast/orders.hpp"
+#include "engine/marcher/fast/lane_orders.hpp"
 #include "engine/marcher/fast/outline.hpp"
 #include "engine/marcher/frame.hpp"
 #include "engine/marcher/inverse_sqrt_table.hpp"
@@ -14,6 +14,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <type_traits>
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3 // no model has a row for it
 #undef HWY_TARGET_INCLUDE

@@ -7,20 +7,28 @@ HWY_BEFORE_NAMESPACE();
 namespace raymarch::engine::marcher::HWY_NAMESPACE
 {
 
-/// Rays in flight, or rays that have hit: component by component.
+/// Rays, component by component.
 struct Rays
 {
     static constexpr std::size_t capacity = 512;
-    static constexpr std::size_t room = capacity + lanes; ///< the last store may be a whole vector
+    static constexpr std::size_t room = capacity + lanes; ///< whole vectors are stored
     using Column = std::array<std::int32_t, room>;
 
     alignas(64) Column x; ///< direction, times 2^6
     alignas(64) Column y;
     alignas(64) Column z;
-    alignas(64) Column t;     ///< distance gone
+    alignas(64) Column t;     ///< distance gone; that of a ray that has hit: to where it hit
     alignas(64) Column pixel; ///< which it belongs to
     alignas(64) Column spent; ///< queries, where they are counted
+};
+
+/// Rays on their way from the front on, and those that have ended from the back on.
+struct Pool
+{
+    Rays flying;
     std::size_t count = 0;
+    Rays ended;
+    std::size_t first_ended = Rays::room;
 };
 
 constexpr int direction_shift = 6;
@@ -72,73 +80,79 @@ HWY_INLINE void step(Flight& flight, const Points& eye, const Rays& rays, std::s
         flight.t = hn::Min(flight.t, all(max_distance.raw() + 1));
 }
 
-/// Marches `group` vectors of rays from `at` on by `steps` queries, then appends those that hit to
-/// `hits` and those that go on to the first `kept` rays.
-template <class Scene, Counting counting, std::size_t group, class Lost>
-HWY_INLINE void advance(Rays& rays, std::size_t at, std::size_t& kept, int steps, const Points& eye,
-                        Rays& hits, const Lost& lost)
+/// Puts the rays that go on at `kept` and the others before those that have ended. Both take whole
+/// vectors: what is beyond the rays is written over later, or is not looked at.
+template <Counting counting>
+HWY_INLINE void sort_out(Pool& pool, std::size_t from, std::size_t valid, const Flight& flight,
+                         std::size_t& kept)
+{
+    const Ints too_far = all(max_distance.raw() + 1);
+    const Chosen blocked = flight.d < all(surface_distance.raw());
+    const Chosen lost = hn::And(blocked, flight.t + flight.d > all(max_distance.raw()));
+    const Ints t = hn::IfThenElse(lost, too_far, flight.t);
+    Chosen on = hn::AndNot(blocked, t < too_far);
+    if (valid < lanes) // what fills the vector up stays behind the rays
+        on = hn::Or(on, hn::Not(hn::FirstN(IntTag(), valid)));
+    const Compaction compaction(on);
+    const std::size_t ended = pool.first_ended - lanes;
+    const auto store = [&](Ints v, Rays::Column Rays::*column) HWY_ATTR {
+        const Ints sorted = compaction(v);
+        hn::StoreU(sorted, IntTag(), &(pool.flying.*column)[kept]);
+        hn::StoreU(sorted, IntTag(), &(pool.ended.*column)[ended]);
+    };
+    const auto move = [&](Rays::Column Rays::*column) HWY_ATTR {
+        store(hn::LoadU(IntTag(), &(pool.flying.*column)[from]), column);
+    };
+    move(&Rays::x);
+    move(&Rays::y);
+    move(&Rays::z);
+    move(&Rays::pixel);
+    store(t, &Rays::t);
+    if constexpr (counting == Counting::On)
+        store(flight.spent, &Rays::spent);
+    kept += compaction.count() - (lanes - valid);
+    pool.first_ended -= lanes - compaction.count();
+}
+
+/// Marches `group` vectors of rays from `at` on by `steps` queries.
+template <class Scene, Counting counting, std::size_t group>
+HWY_INLINE void advance(Pool& pool, std::size_t at, std::size_t& kept, int steps, const Points& eye)
 {
     Flight flights[group];
     for (std::size_t i = 0; i < group; ++i) {
         const std::size_t from = at + i * lanes;
-        flights[i] = {hn::LoadU(IntTag(), &rays.t[from]), hn::Zero(IntTag()), all(-1),
+        flights[i] = {hn::LoadU(IntTag(), &pool.flying.t[from]), hn::Zero(IntTag()), all(-1),
                       hn::Zero(IntTag())};
         if constexpr (counting == Counting::On)
-            flights[i].spent = hn::LoadU(IntTag(), &rays.spent[from]);
+            flights[i].spent = hn::LoadU(IntTag(), &pool.flying.spent[from]);
     }
     for (int s = 0; s < steps; ++s)
         for (std::size_t i = 0; i < group; ++i)
-            step<Scene, counting>(flights[i], eye, rays, at + i * lanes);
-
-    const Ints too_far = all(max_distance.raw() + 1);
+            step<Scene, counting>(flights[i], eye, pool.flying, at + i * lanes);
     for (std::size_t i = 0; i < group; ++i) {
         const std::size_t from = at + i * lanes;
-        const Flight& flight = flights[i];
-        const Ints x = hn::LoadU(IntTag(), &rays.x[from]);
-        const Ints y = hn::LoadU(IntTag(), &rays.y[from]);
-        const Ints z = hn::LoadU(IntTag(), &rays.z[from]);
-        const Ints pixel = hn::LoadU(IntTag(), &rays.pixel[from]);
-        const Chosen near = flight.t < too_far;
-        const Chosen blocked = flight.d < all(surface_distance.raw());
-        const Chosen hit = hn::And(hn::And(near, blocked), flight.t + flight.d < too_far);
-        const Chosen on = hn::AndNot(blocked, near);
-        if constexpr (counting == Counting::On)
-            lost(hn::AndNot(hn::Or(hit, on), hn::FirstN(IntTag(), rays.count - from)), pixel,
-                 flight.spent);
-        const auto keep = [&](Chosen which, Rays& to, std::size_t& count) HWY_ATTR {
-            const Compaction compaction(which);
-            compaction.store(x, &to.x[count]);
-            compaction.store(y, &to.y[count]);
-            compaction.store(z, &to.z[count]);
-            compaction.store(flight.t, &to.t[count]);
-            compaction.store(pixel, &to.pixel[count]);
-            if constexpr (counting == Counting::On)
-                compaction.store(flight.spent, &to.spent[count]);
-            count += compaction.count();
-        };
-        if (!hn::AllFalse(IntTag(), hit))
-            keep(hit, hits, hits.count);
-        keep(on, rays, kept);
+        const std::size_t valid = group == 1 ? std::min(pool.count - from, lanes) : lanes;
+        sort_out<counting>(pool, from, valid, flights[i], kept);
     }
 }
 
-/// Marches all rays to their ends. At the start each has made one query.
-template <class Scene, Counting counting, class Lost>
-HWY_INLINE void march(Rays& rays, const Points& eye, Rays& hits, const Lost& lost)
+/// Marches all rays to their ends. At the start each has made one query; those that are flying at
+/// the end have made 99.
+template <class Scene, Counting counting>
+HWY_INLINE void march(Pool& pool, const Points& eye)
 {
     constexpr int steps_at_once = 4;
     constexpr std::size_t group = 4;
     // The hundredth query ends in a miss whatever it says: it is not made.
-    for (int made = 1; rays.count != 0 && made < max_steps - 1;) {
+    for (int made = 1; pool.count != 0 && made < max_steps - 1;) {
         const int steps = std::min(steps_at_once, max_steps - 1 - made);
-        hn::StoreU(all(max_distance.raw() + 1), IntTag(), &rays.t[rays.count]); // filled up: lost
         std::size_t kept = 0;
         std::size_t at = 0;
-        for (; at + group * lanes <= rays.count; at += group * lanes)
-            advance<Scene, counting, group>(rays, at, kept, steps, eye, hits, lost);
-        for (; at < rays.count; at += lanes)
-            advance<Scene, counting, 1>(rays, at, kept, steps, eye, hits, lost);
-        rays.count = kept;
+        for (; at + group * lanes <= pool.count; at += group * lanes)
+            advance<Scene, counting, group>(pool, at, kept, steps, eye);
+        for (; at < pool.count; at += lanes)
+            advance<Scene, counting, 1>(pool, at, kept, steps, eye);
+        pool.count = kept;
         made += steps;
     }
 }

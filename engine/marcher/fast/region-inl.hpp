@@ -93,71 +93,56 @@ class RegionDrawing
         const Ints stride = all(step * static_cast<int>(lanes));
         for (int left = (span.end - span.first + step - 1) / step; left > 0;
              left -= static_cast<int>(lanes)) {
-            if (rays_.count > Rays::capacity - lanes)
+            if (pool_.count > Rays::capacity - lanes)
                 finish_rays();
             add_rays(directions.next(), pixel);
-            rays_.count += std::min(lanes, static_cast<std::size_t>(left));
+            pool_.count += std::min(lanes, static_cast<std::size_t>(left));
             pixel = pixel + stride;
         }
     }
 
     HWY_INLINE void add_rays(const Points& direction, Ints pixel) noexcept
     {
-        const std::size_t at = rays_.count;
-        hn::StoreU(hn::ShiftLeft<direction_shift>(direction.x), IntTag(), &rays_.x[at]);
-        hn::StoreU(hn::ShiftLeft<direction_shift>(direction.y), IntTag(), &rays_.y[at]);
-        hn::StoreU(hn::ShiftLeft<direction_shift>(direction.z), IntTag(), &rays_.z[at]);
-        hn::StoreU(all(first_t_), IntTag(), &rays_.t[at]);
-        hn::StoreU(pixel, IntTag(), &rays_.pixel[at]);
-        hn::StoreU(all(1), IntTag(), &rays_.spent[at]);
+        Rays& rays = pool_.flying;
+        const std::size_t at = pool_.count;
+        hn::StoreU(hn::ShiftLeft<direction_shift>(direction.x), IntTag(), &rays.x[at]);
+        hn::StoreU(hn::ShiftLeft<direction_shift>(direction.y), IntTag(), &rays.y[at]);
+        hn::StoreU(hn::ShiftLeft<direction_shift>(direction.z), IntTag(), &rays.z[at]);
+        hn::StoreU(all(first_t_), IntTag(), &rays.t[at]);
+        hn::StoreU(pixel, IntTag(), &rays.pixel[at]);
+        if constexpr (counting == Counting::On)
+            hn::StoreU(all(1), IntTag(), &rays.spent[at]);
     }
 
     /// Marches the rays that there are to their ends, and colours the pixels of those that hit.
     void finish_rays() noexcept
     {
-        hits_.count = 0;
-        const auto lost = [this](Chosen which, Ints pixel, Ints spent) HWY_ATTR {
-            Misses misses{};
-            const Compaction compaction(which);
-            compaction.store(spent, misses.spent.data());
-            compaction.store(pixel, misses.pixel.data());
-            misses.count = compaction.count();
-            count_misses(misses);
-        };
-        march<Scene, counting>(rays_, all(frame_.eye), hits_, lost);
+        march<Scene, counting>(pool_, all(frame_.eye));
         if constexpr (counting == Counting::On)
-            for (std::size_t i = 0; i < rays_.count; ++i)
-                finish_pixel(static_cast<std::uint32_t>(rays_.pixel[i]), 0, max_steps);
-        rays_.count = 0;
-        for (std::size_t at = 0; at < hits_.count; at += lanes)
-            shade_hits(at);
+            for (std::size_t i = 0; i < pool_.count; ++i)
+                finish_pixel(static_cast<std::uint32_t>(pool_.flying.pixel[i]), 0, max_steps);
+        pool_.count = 0;
+        for (std::size_t at = pool_.first_ended; at < Rays::room; at += lanes)
+            shade_ended(at);
+        pool_.first_ended = Rays::room;
     }
 
-    struct Misses
+    void shade_ended(std::size_t at) noexcept
     {
-        alignas(64) std::array<std::int32_t, lanes> pixel;
-        alignas(64) std::array<std::int32_t, lanes> spent;
-        std::size_t count;
-    };
-
-    void count_misses(const Misses& misses) noexcept
-    {
-        for (std::size_t i = 0; i < misses.count; ++i)
-            finish_pixel(static_cast<std::uint32_t>(misses.pixel[i]), 0, misses.spent[i]);
-    }
-
-    void shade_hits(std::size_t at) noexcept
-    {
-        const Points p = position(all(frame_.eye), hits_, at, hn::LoadU(IntTag(), &hits_.t[at]));
+        const Rays& rays = pool_.ended;
+        const Ints t = hn::LoadU(IntTag(), &rays.t[at]);
+        const Points p = position(all(frame_.eye), rays, at, t);
         const Points normal = HWY_NAMESPACE::surface_normal<Scene>(p);
         const Points light = HWY_NAMESPACE::light_direction(p, all(frame_.light));
+        const Words colour =
+            HWY_NAMESPACE::shade(frame_.colour, HWY_NAMESPACE::brightness(normal, light));
+        const Ints lost = hn::VecFromMask(IntTag(), t > all(max_distance.raw()));
         alignas(64) std::array<std::uint32_t, lanes> colours;
-        hn::Store(HWY_NAMESPACE::shade(frame_.colour, HWY_NAMESPACE::brightness(normal, light)),
-                  WordTag(), colours.data());
-        const std::size_t count = std::min(lanes, hits_.count - at);
+        hn::Store(hn::AndNot(as_words(lost), colour), WordTag(), colours.data());
+        const std::size_t count = std::min(lanes, Rays::room - at);
         for (std::size_t i = 0; i < count; ++i)
-            finish_pixel(static_cast<std::uint32_t>(hits_.pixel[at + i]), colours[i],
-                         hits_.spent[at + i]);
+            finish_pixel(static_cast<std::uint32_t>(rays.pixel[at + i]), colours[i],
+                         rays.spent[at + i]);
     }
 
     const Frame& frame_;
@@ -165,8 +150,7 @@ class RegionDrawing
     const Canvas& canvas_;
     Outline outline_;
     std::int32_t first_t_ = 0;
-    Rays rays_;
-    Rays hits_;
+    Pool pool_;
 };
 
 template <Counting counting>
