@@ -34,6 +34,7 @@
 #include "engine/marcher/fast/ray_generator-inl.hpp"
 #include "engine/marcher/fast/scene_query-inl.hpp"
 
+#include "engine/marcher/fast/pixels-inl.hpp"
 #include "engine/marcher/fast/ray_marcher-inl.hpp"
 #include "engine/marcher/fast/shading-inl.hpp"
 #include "engine/marcher/fast/surface_vectors-inl.hpp"

@@ -10,15 +10,15 @@ namespace raymarch::engine::marcher::HWY_NAMESPACE
 /// Rays, component by component.
 struct Rays
 {
-    static constexpr std::size_t capacity = 512;
+    static constexpr std::size_t capacity = CAP;
     static constexpr std::size_t room = capacity + lanes; ///< whole vectors are stored
-    using Column = std::array<std::int32_t, room>;
+    using Column = std::array<std::int32_t, room + lanes>;
 
     alignas(64) Column x; ///< direction, times 2^6
     alignas(64) Column y;
     alignas(64) Column z;
     alignas(64) Column t;     ///< distance gone; that of a ray that has hit: to where it hit
-    alignas(64) Column pixel; ///< which it belongs to
+    alignas(64) Column slot;  ///< which it is of the pool's
     alignas(64) Column spent; ///< queries, where they are counted
 };
 
@@ -67,15 +67,14 @@ struct Flight
 template <class Scene, Counting counting>
 HWY_INLINE void step(Flight& flight, const Points& eye, const Rays& rays, std::size_t at)
 {
-    const Ints surface = all(surface_distance.raw());
     flight.d = distance<Scene>(position(eye, rays, at, flight.t));
-    const Ints blocked = hn::VecFromMask(IntTag(), flight.d < surface);
+    const Ints clear = hn::VecFromMask(IntTag(), flight.d > all(surface_distance.raw() - 1));
     if constexpr (counting == Counting::On) {
         flight.spent = flight.spent - flight.alive;
         const Ints lost = hn::VecFromMask(IntTag(), flight.t + flight.d > all(max_distance.raw()));
-        flight.alive = hn::AndNot(hn::Or(blocked, lost), flight.alive);
+        flight.alive = hn::AndNot(lost, hn::And(clear, flight.alive));
     }
-    flight.t = flight.t + hn::AndNot(blocked, flight.d);
+    flight.t = flight.t + hn::And(clear, flight.d);
     if constexpr (Scene::far) // or some steps more would leave the 32 bits
         flight.t = hn::Min(flight.t, all(max_distance.raw() + 1));
 }
@@ -106,7 +105,7 @@ HWY_INLINE void sort_out(Pool& pool, std::size_t from, std::size_t valid, const 
     move(&Rays::x);
     move(&Rays::y);
     move(&Rays::z);
-    move(&Rays::pixel);
+    move(&Rays::slot);
     store(t, &Rays::t);
     if constexpr (counting == Counting::On)
         store(flight.spent, &Rays::spent);
@@ -141,8 +140,8 @@ HWY_INLINE void advance(Pool& pool, std::size_t at, std::size_t& kept, int steps
 template <class Scene, Counting counting>
 HWY_INLINE void march(Pool& pool, const Points& eye)
 {
-    constexpr int steps_at_once = 4;
-    constexpr std::size_t group = 4;
+    constexpr int steps_at_once = STEPS;
+    constexpr std::size_t group = GROUP;
     // The hundredth query ends in a miss whatever it says: it is not made.
     for (int made = 1; pool.count != 0 && made < max_steps - 1;) {
         const int steps = std::min(steps_at_once, max_steps - 1 - made);

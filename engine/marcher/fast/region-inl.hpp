@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The stages composed: a region's pixels from rays that are generated row by row, marched a pool at
-// a time, and shaded where they hit. Included by kernel.cpp alone, once for each instruction set:
-// no include guard.
+// The stages composed: a region's rays are generated row by row, marched a pool at a time, shaded
+// where they end, and written to the picture. Included by kernel.cpp alone, once for each
+// instruction set: no include guard.
 
 HWY_BEFORE_NAMESPACE();
 namespace raymarch::engine::marcher::HWY_NAMESPACE
 {
 
-inline void put(const Canvas& canvas, std::size_t pixel, std::uint32_t colour) noexcept
+/// Pixels side by side (a step apart) whose rays have slots side by side.
+struct Run
 {
-    std::uint8_t* const to = &canvas.rgb[bytes_per_pixel * pixel];
-    to[0] = static_cast<std::uint8_t>(colour);
-    to[1] = static_cast<std::uint8_t>(colour >> 8);
-    to[2] = static_cast<std::uint8_t>(colour >> 16);
-}
+    std::size_t pixel; ///< the first one's place in the picture
+    std::size_t count;
+};
 
-/// The scene, its outline, and what the drawing of one region needs beside them.
+/// Draws one region: `Outline` says which pixels may show the scene.
 template <class Scene, class Outline, Counting counting>
 class RegionDrawing
 {
@@ -23,138 +22,167 @@ class RegionDrawing
     RegionDrawing(const Frame& frame, const Region& region, const Canvas& canvas) noexcept
         : frame_(frame)
         , region_(region)
-        , canvas_(canvas)
+        , pixels_(canvas, region.step)
         , outline_(frame, region.size)
+        , eye_(all(frame.eye))
+        , light_(all(frame.light))
     {}
 
     void draw() noexcept
     {
-        // Each ray's first query is at the eye.
+        // Each ray's first query is at the eye: they all have the same answer.
         const Coordinate d = scene_row(frame_.scene).distance(frame_.eye);
-        if (d > max_distance || d < surface_distance)
-            return draw_all(first_colour(d));
-        first_t_ = d.raw();
-        for (unsigned y = region_.y; y < unsigned{region_.y} + region_.height; y += region_.step)
-            draw_row(static_cast<int>(y));
+        const bool lost = d > max_distance;
+        const bool hit = !lost && d < surface_distance;
+        const std::uint32_t colour = hit ? colour_at_eye() : 0;
+        first_t_ = all(d.raw());
+        for (int y = region_.y; y < region_.y + region_.height; y += region_.step)
+            if (lost || hit)
+                finish({row_begin(y), columns()}, colour, 1);
+            else
+                draw_row(y);
         finish_rays();
     }
 
   private:
-    /// What all rays see that end at the eye.
-    std::uint32_t first_colour(Coordinate d) const noexcept
+    std::uint32_t colour_at_eye() const noexcept
     {
-        if (d > max_distance)
-            return 0;
-        const auto& eye = frame_.eye;
-        const auto rgb = marcher::shade(
-            frame_.colour,
-            marcher::brightness(marcher::surface_normal(eye, scene_row(frame_.scene).distance),
-                                marcher::light_direction(eye, frame_.light)));
+        const Distance distance = scene_row(frame_.scene).distance;
+        const std::array<std::uint8_t, 3> rgb = marcher::shade(
+            frame_.colour, marcher::brightness(marcher::surface_normal(frame_.eye, distance),
+                                               marcher::light_direction(frame_.eye, frame_.light)));
         return rgb[0] | std::uint32_t{rgb[1]} << 8 | std::uint32_t{rgb[2]} << 16;
     }
 
-    void draw_all(std::uint32_t colour) noexcept
+    /// The first pixel of the region's row, and how many it has.
+    std::size_t row_begin(int y) const noexcept
     {
-        for (unsigned y = region_.y; y < unsigned{region_.y} + region_.height; y += region_.step)
-            for (unsigned x = region_.x; x < unsigned{region_.x} + region_.width; x += region_.step)
-                finish_pixel(std::size_t{y} * region_.size.width + x, colour, 1);
+        return static_cast<std::size_t>(y) * region_.size.width + region_.x;
+    }
+    std::size_t columns() const noexcept
+    {
+        return (region_.width + std::size_t{region_.step} - 1) / region_.step;
     }
 
-    void finish_pixel(std::size_t pixel, std::uint32_t colour, std::int32_t queries) noexcept
+    /// All pixels of a run alike.
+    void finish(const Run& run, std::uint32_t colour, std::int32_t queries) const noexcept
     {
-        put(canvas_, pixel, colour);
+        pixels_.fill(run.pixel, run.count, colour);
         if constexpr (counting == Counting::On)
-            canvas_.costs[pixel] = {.steps = static_cast<std::uint32_t>(queries), .rays = 1};
+            for (std::size_t i = 0; i < run.count; ++i)
+                pixels_.cost(run.pixel + i * region_.step, queries);
     }
 
-    /// Black first; then the rays of the pixels inside the outline, those that the step leaves.
+    /// Black left and right of the outline, rays inside. Where queries are counted, all are made.
     void draw_row(int y) noexcept
     {
-        const int step = region_.step;
-        const int end = region_.x + region_.width;
-        const std::size_t row = static_cast<std::size_t>(y) * region_.size.width;
-        if (step == 1)
-            std::memset(&canvas_.rgb[bytes_per_pixel * (row + region_.x)], 0,
-                        bytes_per_pixel * region_.width);
-        else
-            for (int x = region_.x; x < end; x += step)
-                put(canvas_, row + static_cast<std::size_t>(x), 0);
-
-        Span span = counting == Counting::On ? Span{0, region_.size.width} : outline_.of_row(y);
-        const int before = std::max(span.first - region_.x, 0);
-        span.first = region_.x + (before + step - 1) / step * step;
-        span.end = std::min(span.end, end);
-        if (span.first >= span.end)
-            return;
-        RowOfDirections directions(frame_, region_.size, span.first, y, step);
-        Ints pixel = as_ints(
-            hn::Iota(WordTag(), 0) * all_words(static_cast<std::uint32_t>(step)) +
-            all_words(static_cast<std::uint32_t>(row) + static_cast<std::uint32_t>(span.first)));
-        const Ints stride = all(step * static_cast<int>(lanes));
-        for (int left = (span.end - span.first + step - 1) / step; left > 0;
-             left -= static_cast<int>(lanes)) {
-            if (pool_.count > Rays::capacity - lanes)
+        std::size_t before = 0;
+        std::size_t after = columns();
+        if constexpr (counting == Counting::Off) {
+            const Span span = outline_.of_row(y);
+            const auto column = [&](int x) { // the first that is not left of x
+                const int from = std::max(x - region_.x, 0);
+                return static_cast<std::size_t>((from + region_.step - 1) / region_.step);
+            };
+            after = std::min(after, column(span.end));
+            before = std::min(after, column(span.first));
+        }
+        const std::size_t begin = row_begin(y);
+        const std::size_t step = region_.step;
+        pixels_.fill(begin, before, 0);
+        pixels_.fill(begin + after * step, columns() - after, 0);
+        RowOfDirections directions(frame_, region_.size,
+                                   static_cast<int>(region_.x + before * step), y, region_.step);
+        while (before < after) {
+            if (pool_.count + lanes > Rays::capacity || run_count_ == runs_.size())
                 finish_rays();
-            add_rays(directions.next(), pixel);
-            pool_.count += std::min(lanes, static_cast<std::size_t>(left));
-            pixel = pixel + stride;
+            const std::size_t room = Rays::capacity - pool_.count;
+            const std::size_t count = std::min(after - before, room / lanes * lanes);
+            runs_[run_count_++] = {begin + before * step, count};
+            add_rays(directions, count);
+            before += count;
         }
     }
 
-    HWY_INLINE void add_rays(const Points& direction, Ints pixel) noexcept
+    HWY_INLINE void add_rays(RowOfDirections& directions, std::size_t count) noexcept
     {
         Rays& rays = pool_.flying;
-        const std::size_t at = pool_.count;
-        hn::StoreU(hn::ShiftLeft<direction_shift>(direction.x), IntTag(), &rays.x[at]);
-        hn::StoreU(hn::ShiftLeft<direction_shift>(direction.y), IntTag(), &rays.y[at]);
-        hn::StoreU(hn::ShiftLeft<direction_shift>(direction.z), IntTag(), &rays.z[at]);
-        hn::StoreU(all(first_t_), IntTag(), &rays.t[at]);
-        hn::StoreU(pixel, IntTag(), &rays.pixel[at]);
-        if constexpr (counting == Counting::On)
-            hn::StoreU(all(1), IntTag(), &rays.spent[at]);
+        for (std::size_t at = pool_.count; at < pool_.count + count; at += lanes) {
+            const Points direction = directions.next();
+            hn::StoreU(hn::ShiftLeft<direction_shift>(direction.x), IntTag(), &rays.x[at]);
+            hn::StoreU(hn::ShiftLeft<direction_shift>(direction.y), IntTag(), &rays.y[at]);
+            hn::StoreU(hn::ShiftLeft<direction_shift>(direction.z), IntTag(), &rays.z[at]);
+            hn::StoreU(first_t_, IntTag(), &rays.t[at]);
+            hn::StoreU(hn::Iota(IntTag(), static_cast<std::int32_t>(at)), IntTag(), &rays.slot[at]);
+            if constexpr (counting == Counting::On)
+                hn::StoreU(all(1), IntTag(), &rays.spent[at]);
+        }
+        pool_.count += count;
     }
 
-    /// Marches the rays that there are to their ends, and colours the pixels of those that hit.
+    /// Marches the rays that there are to their ends and writes what they have come to.
     void finish_rays() noexcept
     {
-        march<Scene, counting>(pool_, all(frame_.eye));
-        if constexpr (counting == Counting::On)
-            for (std::size_t i = 0; i < pool_.count; ++i)
-                finish_pixel(static_cast<std::uint32_t>(pool_.flying.pixel[i]), 0, max_steps);
+        march<Scene, counting>(pool_, eye_);
+        for (std::size_t i = 0; i < pool_.count; ++i)
+            set(pool_.flying.slot[i], 0, max_steps);
         pool_.count = 0;
         for (std::size_t at = pool_.first_ended; at < Rays::room; at += lanes)
-            shade_ended(at);
+            shade_ended(at, std::min(lanes, Rays::room - at));
         pool_.first_ended = Rays::room;
+
+        std::size_t slot = 0;
+        for (std::size_t i = 0; i < run_count_; ++i) {
+            const Run& run = runs_[i];
+            pixels_.colours(run.pixel, run.count, &colours_[slot]);
+            if constexpr (counting == Counting::On)
+                for (std::size_t j = 0; j < run.count; ++j)
+                    pixels_.cost(run.pixel + j * region_.step, queries_[slot + j]);
+            slot += run.count;
+        }
+        run_count_ = 0;
     }
 
-    void shade_ended(std::size_t at) noexcept
+    void shade_ended(std::size_t at, std::size_t count) noexcept
     {
         const Rays& rays = pool_.ended;
         const Ints t = hn::LoadU(IntTag(), &rays.t[at]);
-        const Points p = position(all(frame_.eye), rays, at, t);
-        const Points normal = HWY_NAMESPACE::surface_normal<Scene>(p);
-        const Points light = HWY_NAMESPACE::light_direction(p, all(frame_.light));
-        const Words colour =
-            HWY_NAMESPACE::shade(frame_.colour, HWY_NAMESPACE::brightness(normal, light));
+        const Points p = position(eye_, rays, at, t);
+        const Ints bright = HWY_NAMESPACE::brightness(HWY_NAMESPACE::surface_normal<Scene>(p),
+                                                      HWY_NAMESPACE::light_direction(p, light_));
         const Ints lost = hn::VecFromMask(IntTag(), t > all(max_distance.raw()));
         alignas(64) std::array<std::uint32_t, lanes> colours;
-        hn::Store(hn::AndNot(as_words(lost), colour), WordTag(), colours.data());
-        const std::size_t count = std::min(lanes, Rays::room - at);
+        hn::Store(hn::AndNot(as_words(lost), HWY_NAMESPACE::shade(frame_.colour, bright)),
+                  WordTag(), colours.data());
         for (std::size_t i = 0; i < count; ++i)
-            finish_pixel(static_cast<std::uint32_t>(rays.pixel[at + i]), colours[i],
-                         rays.spent[at + i]);
+            set(rays.slot[at + i], colours[i], rays.spent[at + i]);
+    }
+
+    HWY_INLINE void set(std::int32_t slot, std::uint32_t colour, std::int32_t queries) noexcept
+    {
+        const auto at = static_cast<std::uint32_t>(slot);
+        colours_[at] = colour;
+        if constexpr (counting == Counting::On)
+            queries_[at] = queries;
     }
 
     const Frame& frame_;
     const Region& region_;
-    const Canvas& canvas_;
+    PixelWriter pixels_;
     Outline outline_;
-    std::int32_t first_t_ = 0;
+    Points eye_;
+    Points light_;
+    Ints first_t_{};
     Pool pool_;
+    // What the pool's rays have come to, by the slots that they were given in turn.
+    std::array<std::uint32_t, Rays::capacity> colours_;
+    std::array<std::int32_t, Rays::capacity> queries_; ///< where they are counted
+    std::array<Run, 64> runs_;
+    std::size_t run_count_ = 0;
 };
 
 template <Counting counting>
-void draw_counting(const Frame& frame, const Region& region, const Canvas& canvas) noexcept
+void draw_scene(const Frame& frame, const Region& region, const Canvas& canvas) noexcept
 {
     switch (frame.scene) {
     case marcher::Scene::Sphere:
@@ -168,13 +196,14 @@ void draw_counting(const Frame& frame, const Region& region, const Canvas& canva
     }
 }
 
+/// See Kernel.
 void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept
 {
     const Frame frame = latch(words);
     if (canvas.costs.empty())
-        draw_counting<Counting::Off>(frame, region, canvas);
+        draw_scene<Counting::Off>(frame, region, canvas);
     else
-        draw_counting<Counting::On>(frame, region, canvas);
+        draw_scene<Counting::On>(frame, region, canvas);
 }
 
 } // namespace raymarch::engine::marcher::HWY_NAMESPACE
