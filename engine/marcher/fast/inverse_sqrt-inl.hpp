@@ -13,31 +13,42 @@ struct Normalised
     Words exponent; ///< e = 63 - z, plus a bias that is odd
 };
 
+/// How large the squares can be.
+enum class Squares : bool {
+    Any,   ///< below 2^64
+    Small, ///< below 2^52: vectors shorter than 4 units
+};
+
 #if HWY_HAVE_FLOAT64
 
 constexpr std::uint32_t exponent_bias = 1023;
 
-/// The number as a double, whose mantissa begins with n and whose exponent is e.
+/// The number as a double, whose exponent is e and whose mantissa begins with the upper 32 bits of
+/// n.
+template <Squares squares>
 HWY_INLINE Longs bits_of_double(Longs s)
 {
-    // The upper half times 2^32 and the lower half, each exact behind a magic exponent; their sum
-    // is rounded. To keep a carry from running into the upper 32 bits of n, a zero is put in its
-    // way: bit e - 40 is cleared, with some of those below it.
     const hn::Repartition<double, LongTag> doubles;
+    const Longs low_magic = hn::Set(LongTag(), 0x4330'0000'0000'0000); // 2^52
+    if constexpr (squares == Squares::Small)
+        return hn::BitCast(LongTag(), hn::Sub(hn::BitCast(doubles, hn::Or(s, low_magic)),
+                                              hn::Set(doubles, 0x1p52)));
+    // The upper half times 2^32 and the lower half, each exact behind a power of two; their sum is
+    // rounded. To keep a carry from running into the upper 32 bits of n, a zero is put in its way:
+    // bit e - 40 is cleared, with some of those below it.
     const Longs safe = hn::AndNot(hn::ShiftRight<40>(s), s);
     const Longs high = hn::Or(hn::ShiftRight<32>(safe), hn::Set(LongTag(), 0x4530'0000'0000'0000));
-    const auto low = hn::OddEven(hn::BitCast(WordTag(), hn::Set(LongTag(), 0x4330'0000'0000'0000)),
-                                 hn::BitCast(WordTag(), safe));
+    const auto low = hn::OddEven(hn::BitCast(WordTag(), low_magic), hn::BitCast(WordTag(), safe));
     const auto upper = hn::Sub(hn::BitCast(doubles, high), hn::Set(doubles, 0x1.00000001p84));
     return hn::BitCast(LongTag(), hn::Add(upper, hn::BitCast(doubles, low)));
 }
 
+template <Squares squares>
 HWY_INLINE Normalised normalised(const Wide& s)
 {
-    const Wide bits{bits_of_double(s.even), bits_of_double(s.odd)};
-    const Words top = upper(bits);
+    const Wide bits{bits_of_double<squares>(s.even), bits_of_double<squares>(s.odd)};
     return {lower({hn::ShiftRight<21>(bits.even), hn::ShiftRight<21>(bits.odd)}),
-            hn::ShiftRight<20>(top)};
+            hn::ShiftRight<20>(upper(bits))};
 }
 
 #else // the board's vectors have no doubles, but count leading zeros
@@ -49,6 +60,7 @@ HWY_INLINE Words leading_zeros(Words v)
     return Words(vclzq_u32(v.raw));
 }
 
+template <Squares /*squares*/>
 HWY_INLINE Normalised normalised(const Wide& s)
 {
     const Words high = upper(s);
@@ -106,7 +118,7 @@ HWY_INLINE Wide falling_entries(Words index)
 }
 
 /// As InverseSqrt, without the shift, which each use has its own way to come by.
-HWY_INLINE Words mantissa(const Normalised& n)
+HWY_INLINE Wide mantissa(const Normalised& n)
 {
     using namespace inverse_sqrt_table;
     const Words index = hn::And(hn::ShiftRight<31 - index_bits>(n.upper), all_words(entries - 1));
@@ -121,7 +133,7 @@ HWY_INLINE Words mantissa(const Normalised& n)
     const Words factor = hn::IfThenElse(odd_exponent, all_words(1U << 31),
                                         all_words(static_cast<std::uint32_t>(half_root / 2)));
     const Wide product = multiply(interpolated, factor);
-    return lower({hn::ShiftRight<31>(product.even), hn::ShiftRight<31>(product.odd)});
+    return {hn::ShiftRight<31>(product.even), hn::ShiftRight<31>(product.odd)};
 }
 
 HWY_INLINE Wide square(Ints v)
@@ -129,33 +141,46 @@ HWY_INLINE Wide square(Ints v)
     return multiply(v, v);
 }
 
-/// v / |v| of 32-bit integers whose squares add up to S below 2^64; zero for zero.
+/// The products of a lane's number and its mantissa.
+template <class V>
+HWY_INLINE Wide multiply(V v, const Wide& mantissa)
+{
+    const auto factor = [](Longs half) HWY_ATTR { return hn::BitCast(hn::DFromV<V>(), half); };
+    return {multiply_even(v, factor(mantissa.even)),
+            multiply_even(odd_lanes(v), factor(mantissa.odd))};
+}
+
+/// v / |v| of 32-bit integers; zero for zero.
+template <Squares squares>
 HWY_INLINE Points normalise(const Points& v)
 {
-    const Normalised n = normalised(add(add(square(v.x), square(v.y)), square(v.z)));
-    const Ints m = as_ints(mantissa(n)); // below 2^31
-    // s = 6 + ceil(e / 2), at most 38: of the 64-bit quotient at least 26 bits are left when zeros
-    // come in from above. The component has 26 with its sign; it is extended again.
+    const Normalised n = normalised<squares>(add(add(square(v.x), square(v.y)), square(v.z)));
+    const Wide m = mantissa(n); // below 2^31
+    // s = 6 + ceil(e / 2), at most 38: when zeros come in from above, at least 26 bits of the
+    // quotient are left. The component has 26 with its sign, and is extended again. Up to s = 32
+    // its lower 32 bits are all right as they are.
     const Words shift =
         hn::ShiftRight<1>(n.exponent) - all_words((exponent_bias - 1) / 2) + all_words(6);
-    const Wide x = shift_right(multiply(v.x, m), shift);
-    const Wide y = shift_right(multiply(v.y, m), shift);
-    const Wide z = shift_right(multiply(v.z, m), shift);
-    return {hn::ShiftRight<6>(hn::ShiftLeft<6>(as_ints(lower(x)))),
-            hn::ShiftRight<6>(hn::ShiftLeft<6>(as_ints(lower(y)))),
-            hn::ShiftRight<6>(hn::ShiftLeft<6>(as_ints(lower(z))))};
+    const auto component = [&](Ints c) HWY_ATTR {
+        const Ints quotient = as_ints(lower(shift_right(multiply(c, m), shift)));
+        if constexpr (squares == Squares::Small)
+            return quotient;
+        else
+            return hn::ShiftRight<6>(hn::ShiftLeft<6>(quotient));
+    };
+    return {component(v.x), component(v.y), component(v.z)};
 }
 
 /// The root of S as the model's length() takes it.
+template <Squares squares>
 HWY_INLINE Ints length(const Wide& squared)
 {
-    const Normalised n = normalised(squared);
-    const Words m = mantissa(n);
+    const Normalised n = normalised<squares>(squared);
     const Words above = hn::Or(n.upper, all_words(1U << 31));
     // s + z - 8 = 61 - floor(e / 2)
     const Words shift =
         all_words(61 + (exponent_bias + 1) / 2) - hn::ShiftRight<1>(n.exponent + all_words(1));
-    return as_ints(lower(shift_right(multiply(above, m), shift)));
+    return as_ints(lower(shift_right(multiply(above, mantissa(n)), shift)));
 }
 
 } // namespace raymarch::engine::marcher::HWY_NAMESPACE

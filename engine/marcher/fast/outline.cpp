@@ -83,6 +83,18 @@ BallOutline::BallOutline(const Frame& frame, PictureSize size) noexcept : size_(
     forward_forward_ = dot(forward, forward);
     proved_ = std::abs(volume(frame)) >= least_volume && horizon_ > 0 &&
               horizon_ * right_right_ - eye_right_ * eye_right_ >= least_curvature;
+    if (!proved_)
+        return;
+
+    // A hit is at most 0.15 beyond where the ray is closest to the middle, which is at most as far
+    // as the eye is. A ray's square distance is largest at one of its ends.
+    const double distance = std::sqrt(dot(eye, eye));
+    const double far = distance + 0.25;
+    const double at_far = dot(eye, eye) + far * far - 2 * far * std::sqrt(horizon_);
+    constexpr double nearly_four_squared = 15.5;
+    near_ = std::max(dot(eye, eye), at_far) < nearly_four_squared;
+    if (near_)
+        farthest_ = Coordinate::from_raw(static_cast<std::int64_t>(far * (1 << 24)));
 }
 
 Span BallOutline::of_row(int y) const noexcept
@@ -103,8 +115,7 @@ Span BallOutline::of_row(int y) const noexcept
     if (height < 0 || eye_start + middle * eye_right_ > 0)
         return {0, 0};
     const double half = std::sqrt(height / curvature);
-    constexpr double pixel = 2;
-    return between(middle - half - pixel, middle + half + pixel, size_.width);
+    return between(middle - half, middle + half, size_.width);
 }
 
 BoxOutline::BoxOutline(const Frame& frame, PictureSize size) noexcept : size_(size)

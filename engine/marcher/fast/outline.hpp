@@ -28,6 +28,7 @@ struct NoOutline
 
     NoOutline(const Frame& /*frame*/, PictureSize size) noexcept : width(size.width) {}
     [[nodiscard]] Span of_row(int /*y*/) const noexcept { return {0, width}; }
+    [[nodiscard]] static Coordinate farthest() noexcept { return max_distance; }
 };
 
 /// The sphere's: a cone around a ball, cut by the row's line.
@@ -37,9 +38,16 @@ class BallOutline
     BallOutline(const Frame& frame, PictureSize size) noexcept;
     [[nodiscard]] Span of_row(int y) const noexcept;
 
+    /// The t beyond which no ray inside the outline hits.
+    [[nodiscard]] Coordinate farthest() const noexcept { return farthest_; }
+    /// Whether up to there all points of these rays are less than 4 units from the middle.
+    [[nodiscard]] bool near() const noexcept { return near_; }
+
   private:
     PictureSize size_;
-    bool proved_;    ///< else every row is whole
+    bool proved_; ///< else every row is whole
+    bool near_ = false;
+    Coordinate farthest_ = max_distance;
     double horizon_; ///< eye^2 - radius^2: the square of the way to where the cone touches
     // Products of the eye and the basis, the forward vector times f.
     double eye_right_, eye_up_, eye_forward_;
@@ -53,6 +61,7 @@ class BoxOutline
   public:
     BoxOutline(const Frame& frame, PictureSize size) noexcept;
     [[nodiscard]] Span of_row(int y) const noexcept;
+    [[nodiscard]] static Coordinate farthest() noexcept { return max_distance; }
 
   private:
     struct Edge

@@ -35,7 +35,7 @@ class RowOfDirections
     /// Unit directions of the next pixels. Lanes beyond the row may be anything.
     HWY_INLINE Points next()
     {
-        const Points direction = normalise(next_);
+        const Points direction = normalise<Squares::Any>(next_);
         next_ = add(next_, stride_);
         return direction;
     }

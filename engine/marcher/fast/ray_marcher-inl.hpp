@@ -53,6 +53,14 @@ HWY_INLINE Points position(const Points& eye, const Rays& rays, std::size_t at, 
 
 enum class Counting : bool { Off, On };
 
+/// What all rays have in common.
+struct View
+{
+    Points eye;
+    Ints farthest; ///< a ray whose t is larger has missed: max_distance, or less where that is
+                   ///< proved
+};
+
 /// One vector of rays on its way.
 struct Flight
 {
@@ -63,33 +71,32 @@ struct Flight
 };
 
 /// One query. A ray that has hit stays where it is, and its d with it, until it is taken out; one
-/// that has gone past max_distance is lost whatever comes after.
+/// that has gone too far is lost whatever comes after.
 template <class Scene, Counting counting>
-HWY_INLINE void step(Flight& flight, const Points& eye, const Rays& rays, std::size_t at)
+HWY_INLINE void step(Flight& flight, const View& view, const Rays& rays, std::size_t at)
 {
-    flight.d = distance<Scene>(position(eye, rays, at, flight.t));
+    flight.d = distance<Scene>(position(view.eye, rays, at, flight.t));
     const Ints clear = hn::VecFromMask(IntTag(), flight.d > all(surface_distance.raw() - 1));
     if constexpr (counting == Counting::On) {
         flight.spent = flight.spent - flight.alive;
-        const Ints lost = hn::VecFromMask(IntTag(), flight.t + flight.d > all(max_distance.raw()));
+        const Ints lost = hn::VecFromMask(IntTag(), flight.t + flight.d > view.farthest);
         flight.alive = hn::AndNot(lost, hn::And(clear, flight.alive));
     }
     flight.t = flight.t + hn::And(clear, flight.d);
-    if constexpr (Scene::far) // or some steps more would leave the 32 bits
-        flight.t = hn::Min(flight.t, all(max_distance.raw() + 1));
+    if constexpr (Scene::far) // or some steps more would leave the numbers
+        flight.t = hn::Min(flight.t, view.farthest + all(1));
 }
 
 /// Puts the rays that go on at `kept` and the others before those that have ended. Both take whole
 /// vectors: what is beyond the rays is written over later, or is not looked at.
 template <Counting counting>
-HWY_INLINE void sort_out(Pool& pool, std::size_t from, std::size_t valid, const Flight& flight,
-                         std::size_t& kept)
+HWY_INLINE void sort_out(Pool& pool, const View& view, std::size_t from, std::size_t valid,
+                         const Flight& flight, std::size_t& kept)
 {
-    const Ints too_far = all(max_distance.raw() + 1);
     const Chosen blocked = flight.d < all(surface_distance.raw());
-    const Chosen lost = hn::And(blocked, flight.t + flight.d > all(max_distance.raw()));
-    const Ints t = hn::IfThenElse(lost, too_far, flight.t);
-    Chosen on = hn::AndNot(blocked, t < too_far);
+    const Chosen lost = hn::And(blocked, flight.t + flight.d > view.farthest);
+    const Ints t = hn::IfThenElse(lost, view.farthest + all(1), flight.t);
+    Chosen on = hn::Not(hn::Or(blocked, t > view.farthest));
     if (valid < lanes) // what fills the vector up stays behind the rays
         on = hn::Or(on, hn::Not(hn::FirstN(IntTag(), valid)));
     const Compaction compaction(on);
@@ -115,7 +122,7 @@ HWY_INLINE void sort_out(Pool& pool, std::size_t from, std::size_t valid, const 
 
 /// Marches `group` vectors of rays from `at` on by `steps` queries.
 template <class Scene, Counting counting, std::size_t group>
-HWY_INLINE void advance(Pool& pool, std::size_t at, std::size_t& kept, int steps, const Points& eye)
+HWY_INLINE void advance(Pool& pool, const View& view, std::size_t at, std::size_t& kept, int steps)
 {
     Flight flights[group];
     for (std::size_t i = 0; i < group; ++i) {
@@ -127,18 +134,18 @@ HWY_INLINE void advance(Pool& pool, std::size_t at, std::size_t& kept, int steps
     }
     for (int s = 0; s < steps; ++s)
         for (std::size_t i = 0; i < group; ++i)
-            step<Scene, counting>(flights[i], eye, pool.flying, at + i * lanes);
+            step<Scene, counting>(flights[i], view, pool.flying, at + i * lanes);
     for (std::size_t i = 0; i < group; ++i) {
         const std::size_t from = at + i * lanes;
         const std::size_t valid = group == 1 ? std::min(pool.count - from, lanes) : lanes;
-        sort_out<counting>(pool, from, valid, flights[i], kept);
+        sort_out<counting>(pool, view, from, valid, flights[i], kept);
     }
 }
 
 /// Marches all rays to their ends. At the start each has made one query; those that are flying at
 /// the end have made 99.
 template <class Scene, Counting counting>
-HWY_INLINE void march(Pool& pool, const Points& eye)
+HWY_INLINE void march(Pool& pool, const View& view)
 {
     constexpr int steps_at_once = STEPS;
     constexpr std::size_t group = GROUP;
@@ -148,9 +155,9 @@ HWY_INLINE void march(Pool& pool, const Points& eye)
         std::size_t kept = 0;
         std::size_t at = 0;
         for (; at + group * lanes <= pool.count; at += group * lanes)
-            advance<Scene, counting, group>(pool, at, kept, steps, eye);
+            advance<Scene, counting, group>(pool, view, at, kept, steps);
         for (; at < pool.count; at += lanes)
-            advance<Scene, counting, 1>(pool, at, kept, steps, eye);
+            advance<Scene, counting, 1>(pool, view, at, kept, steps);
         pool.count = kept;
         made += steps;
     }

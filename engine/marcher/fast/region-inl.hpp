@@ -19,12 +19,14 @@ template <class Scene, class Outline, Counting counting>
 class RegionDrawing
 {
   public:
-    RegionDrawing(const Frame& frame, const Region& region, const Canvas& canvas) noexcept
+    RegionDrawing(const Frame& frame, const Region& region, const Canvas& canvas,
+                  const Outline& outline) noexcept
         : frame_(frame)
         , region_(region)
         , pixels_(canvas, region.step)
-        , outline_(frame, region.size)
-        , eye_(all(frame.eye))
+        , outline_(outline)
+        , view_{all(frame.eye),
+                all(counting == Counting::On ? max_distance.raw() : outline.farthest().raw())}
         , light_(all(frame.light))
     {}
 
@@ -123,7 +125,7 @@ class RegionDrawing
     /// Marches the rays that there are to their ends and writes what they have come to.
     void finish_rays() noexcept
     {
-        march<Scene, counting>(pool_, eye_);
+        march<Scene, counting>(pool_, view_);
         for (std::size_t i = 0; i < pool_.count; ++i)
             set(pool_.flying.slot[i], 0, max_steps);
         pool_.count = 0;
@@ -147,10 +149,11 @@ class RegionDrawing
     {
         const Rays& rays = pool_.ended;
         const Ints t = hn::LoadU(IntTag(), &rays.t[at]);
-        const Points p = position(eye_, rays, at, t);
-        const Ints bright = HWY_NAMESPACE::brightness(HWY_NAMESPACE::surface_normal<Scene>(p),
-                                                      HWY_NAMESPACE::light_direction(p, light_));
-        const Ints lost = hn::VecFromMask(IntTag(), t > all(max_distance.raw()));
+        const Points p = position(view_.eye, rays, at, t);
+        const Ints bright =
+            HWY_NAMESPACE::brightness(HWY_NAMESPACE::surface_normal<typename Scene::Near>(p),
+                                      HWY_NAMESPACE::light_direction(p, light_));
+        const Ints lost = hn::VecFromMask(IntTag(), t > view_.farthest);
         alignas(64) std::array<std::uint32_t, lanes> colours;
         hn::Store(hn::AndNot(as_words(lost), HWY_NAMESPACE::shade(frame_.colour, bright)),
                   WordTag(), colours.data());
@@ -170,7 +173,7 @@ class RegionDrawing
     const Region& region_;
     PixelWriter pixels_;
     Outline outline_;
-    Points eye_;
+    View view_;
     Points light_;
     Ints first_t_{};
     Pool pool_;
@@ -181,18 +184,30 @@ class RegionDrawing
     std::size_t run_count_ = 0;
 };
 
+template <class Scene, Counting counting, class Outline>
+void draw_inside(const Outline& outline, const Frame& frame, const Region& region,
+                 const Canvas& canvas) noexcept
+{
+    RegionDrawing<Scene, Outline, counting>(frame, region, canvas, outline).draw();
+}
+
 template <Counting counting>
 void draw_scene(const Frame& frame, const Region& region, const Canvas& canvas) noexcept
 {
+    const NoOutline everywhere(frame, region.size);
     switch (frame.scene) {
     case marcher::Scene::Sphere:
-        return RegionDrawing<Sphere, BallOutline, counting>(frame, region, canvas).draw();
+        if (const BallOutline ball(frame, region.size); counting == Counting::Off && ball.near())
+            draw_inside<SphereOf<Squares::Small>, Counting::Off>(ball, frame, region, canvas);
+        else
+            draw_inside<SphereOf<Squares::Any>, counting>(ball, frame, region, canvas);
+        return;
     case marcher::Scene::Cube:
-        return RegionDrawing<Cube, BoxOutline, counting>(frame, region, canvas).draw();
+        return draw_inside<Cube, counting>(BoxOutline(frame, region.size), frame, region, canvas);
     case marcher::Scene::InfiniteCube:
-        return RegionDrawing<InfiniteCube, NoOutline, counting>(frame, region, canvas).draw();
+        return draw_inside<InfiniteCube, counting>(everywhere, frame, region, canvas);
     case marcher::Scene::Tunnel:
-        return RegionDrawing<Tunnel, NoOutline, counting>(frame, region, canvas).draw();
+        return draw_inside<Tunnel, counting>(everywhere, frame, region, canvas);
     }
 }
 

@@ -7,20 +7,24 @@ HWY_BEFORE_NAMESPACE();
 namespace raymarch::engine::marcher::HWY_NAMESPACE
 {
 
-struct Sphere
+/// With Squares::Small: at points less than 4 units from the middle.
+template <Squares squares>
+struct SphereOf
 {
+    using Near = SphereOf<Squares::Small>; ///< the same scene where its surface is
     using Term = Wide;
     static constexpr bool far = true; ///< a distance may be as large as the world
 
     static HWY_INLINE Term term(Ints c) { return square(c); }
     static HWY_INLINE Ints combine(const Term& x, const Term& y, const Term& z)
     {
-        return length(add(add(x, y), z)) - all(ratio(1, 1).raw());
+        return length<squares>(add(add(x, y), z)) - all(ratio(1, 1).raw());
     }
 };
 
 struct Cube
 {
+    using Near = Cube;
     using Term = Ints;
     static constexpr bool far = true;
 
@@ -41,6 +45,7 @@ HWY_INLINE Words from_nearest(Ints c)
 
 struct InfiniteCube
 {
+    using Near = InfiniteCube;
     using Term = Words; ///< Q0.32
     static constexpr bool far = false;
 
@@ -53,6 +58,7 @@ struct InfiniteCube
 
 struct Tunnel
 {
+    using Near = Tunnel;
     /// One a generation: the shift that makes 32 bits of its cell, and what the middle of a cell
     /// is from a bar. Measured from a multiple of the cell in place of its middle, so that the
     /// largest distance is where the scene's is least.

@@ -6,7 +6,9 @@ HWY_BEFORE_NAMESPACE();
 namespace raymarch::engine::marcher::HWY_NAMESPACE
 {
 
-/// The unit normals, by the four taps of the model: (+--), (--+), (-+-), (+++).
+/// The unit normals, by the four taps of the model: (+--), (--+), (-+-), (+++). Points that are no
+/// surface points may have any. A distance changes by at most 2h between two taps (the sphere's by
+/// a few raws more), so that no component of their sum is above 2^20 and its square not above 2^42.
 template <class Scene>
 HWY_INLINE Points surface_normal(const Points& p)
 {
@@ -22,13 +24,14 @@ HWY_INLINE Points surface_normal(const Points& p)
     const Ints back = Scene::combine(x_down, y_down, z_up);
     const Ints above = Scene::combine(x_down, y_up, z_down);
     const Ints corner = Scene::combine(x_up, y_up, z_up);
-    return normalise({(corner + right) - (back + above), (corner + above) - (right + back),
-                      (corner + back) - (right + above)});
+    return normalise<Squares::Small>({(corner + right) - (back + above),
+                                      (corner + above) - (right + back),
+                                      (corner + back) - (right + above)});
 }
 
 HWY_INLINE Points light_direction(const Points& p, const Points& light)
 {
-    return normalise(subtract(light, p));
+    return normalise<Squares::Any>(subtract(light, p));
 }
 
 } // namespace raymarch::engine::marcher::HWY_NAMESPACE
