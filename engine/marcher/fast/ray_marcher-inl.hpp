@@ -10,7 +10,7 @@ namespace raymarch::engine::marcher::HWY_NAMESPACE
 /// Rays, component by component.
 struct Rays
 {
-    static constexpr std::size_t capacity = CAP;
+    static constexpr std::size_t capacity = 1024;
     static constexpr std::size_t room = capacity + lanes; ///< whole vectors are stored
     using Column = std::array<std::int32_t, room + lanes>;
 
@@ -147,15 +147,13 @@ HWY_INLINE void advance(Pool& pool, const View& view, std::size_t at, std::size_
 template <class Scene, Counting counting>
 HWY_INLINE void march(Pool& pool, const View& view)
 {
-    constexpr int steps_at_once = STEPS;
-    constexpr std::size_t group = GROUP;
     // The hundredth query ends in a miss whatever it says: it is not made.
     for (int made = 1; pool.count != 0 && made < max_steps - 1;) {
-        const int steps = std::min(steps_at_once, max_steps - 1 - made);
+        const int steps = std::min(Scene::steps_at_once, max_steps - 1 - made);
         std::size_t kept = 0;
         std::size_t at = 0;
-        for (; at + group * lanes <= pool.count; at += group * lanes)
-            advance<Scene, counting, group>(pool, view, at, kept, steps);
+        for (; at + Scene::group * lanes <= pool.count; at += Scene::group * lanes)
+            advance<Scene, counting, Scene::group>(pool, view, at, kept, steps);
         for (; at < pool.count; at += lanes)
             advance<Scene, counting, 1>(pool, view, at, kept, steps);
         pool.count = kept;

@@ -14,6 +14,10 @@ struct SphereOf
     using Near = SphereOf<Squares::Small>; ///< the same scene where its surface is
     using Term = Wide;
     static constexpr bool far = true; ///< a distance may be as large as the world
+    // How many vectors are marched together, and how many steps between two compactions: as
+    // measured. A step of the sphere is long enough to fill the processor with two.
+    static constexpr std::size_t group = 2;
+    static constexpr int steps_at_once = 3;
 
     static HWY_INLINE Term term(Ints c) { return square(c); }
     static HWY_INLINE Ints combine(const Term& x, const Term& y, const Term& z)
@@ -27,6 +31,8 @@ struct Cube
     using Near = Cube;
     using Term = Ints;
     static constexpr bool far = true;
+    static constexpr std::size_t group = 4;
+    static constexpr int steps_at_once = 5;
 
     static HWY_INLINE Term term(Ints c) { return hn::Abs(c); }
     static HWY_INLINE Ints combine(Term x, Term y, Term z)
@@ -48,6 +54,8 @@ struct InfiniteCube
     using Near = InfiniteCube;
     using Term = Words; ///< Q0.32
     static constexpr bool far = false;
+    static constexpr std::size_t group = 4;
+    static constexpr int steps_at_once = 6;
 
     static HWY_INLINE Term term(Ints c) { return from_nearest<8>(c); }
     static HWY_INLINE Ints combine(Term x, Term y, Term z)
@@ -85,6 +93,8 @@ struct Tunnel
         Words cell_eighth;
     };
     static constexpr bool far = false;
+    static constexpr std::size_t group = 4;
+    static constexpr int steps_at_once = 6;
 
     static HWY_INLINE Term term(Ints c)
     {
