@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How fast the marcher's engines draw, all in one run, in turns: the model, its kernels, and
-/// floating point without the contract. One JSON object a line on standard output.
+/// How fast the marcher is drawn: by the model, by its kernels, and in floating point without the
+/// contract of bits. All in turns, in one run; one JSON object a line on standard output.
 ///
-///     bench_engine [--seconds S] [--size WxH] [--view NAME]
+///     bench_engine [--seconds S] [--sizes WxH…] [--views NAME…] [--engines NAME…]
 #include "engine/draw.hpp"
 #include "engine/models.hpp"
+#include "engines/float_simd.hpp"
+#include "engines/student.hpp"
 #include "engines/views.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/registers.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -25,87 +30,126 @@ namespace
 
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
+const engine::Model& model = engine::model_of(protocol::marcher::description);
+
 struct Options
 {
-    double seconds = 1; ///< for each view and size
-    std::vector<std::string> views;
-    std::vector<std::string> engines;
+    double seconds = 2; ///< for each view and size
+    std::vector<std::string> sizes = {"640x480"};
+    std::vector<std::string> views;   ///< empty: all
+    std::vector<std::string> engines; ///< empty: all
 };
 
-/// One way to draw, and how long it took each time.
-struct Runner
+bool chosen(const std::vector<std::string>& names, std::string_view name)
+{
+    return names.empty() || std::ranges::find(names, name) != names.end();
+}
+
+/// One way to draw.
+struct Engine
 {
     std::string name;
-    const engine::Kernel* kernel;
+    std::string isa;
+    const engine::Kernel* kernel; ///< nullptr: the model
     unsigned threads;
-    std::vector<double> times{};
+    std::vector<double> milliseconds{};
 };
 
-std::vector<Runner> runners()
+constexpr engine::Kernel student_o2 = {engine::Isa::Scalar, draw_student_o2};
+constexpr engine::Kernel student_native = {engine::Isa::Scalar, draw_student_native};
+constexpr unsigned most_threads = 2;
+
+std::vector<Engine> engines(const Options& options)
 {
-    std::vector<Runner> all = {{"reference", nullptr, 1}, {"reference", nullptr, 2}};
-    const engine::Model& model = engine::models[0];
-    for (const engine::IsaRow& row : engine::isa_rows)
-        if (const engine::Kernel* const kernel = engine::kernel_of(model, row.isa))
-            for (const unsigned threads : {1U, 2U})
-                all.push_back({std::string(row.name), kernel, threads});
+    std::vector<Engine> all = {
+        {"student -O2", "scalar", &student_o2, 1},
+        {"student -O3 -march=native", "native", &student_native, 1},
+        {"model", "scalar", nullptr, 1},
+    };
+    for (unsigned threads = 1; threads <= most_threads; ++threads) {
+        for (const engine::Kernel& kernel : float_kernels())
+            if (kernel.draw != nullptr && engine::supported(kernel.isa))
+                all.push_back({"float", std::string(name_of(kernel.isa)), &kernel, threads});
+        for (const engine::IsaRow& row : engine::isa_rows)
+            if (const engine::Kernel* const kernel = kernel_of(model, row.isa))
+                all.push_back({"kernel", std::string(row.name), kernel, threads});
+    }
+    std::erase_if(all, [&](const Engine& e) { return !chosen(options.engines, e.name); });
     return all;
 }
 
 protocol::Words words_of(std::string_view settings)
 {
-    const protocol::Accelerator& accelerator = protocol::marcher::description;
-    protocol::State state = protocol::initial_state(accelerator);
+    protocol::State state = protocol::initial_state(*model.description);
     protocol::ParameterSet given;
-    (void)protocol::read_assignments(accelerator, {.bytes = settings}, state, given);
-    return protocol::pack(accelerator, state);
+    if (protocol::read_assignments(*model.description, {.bytes = settings}, state, given))
+        std::abort();
+    return protocol::pack(*model.description, state);
 }
 
 void time_view(const View& view, engine::PictureSize size, const Options& options)
 {
     const protocol::Words words = words_of(view.settings);
     engine::Image image(size);
-    engine::Painter painters[2] = {engine::Painter(1), engine::Painter(2)};
-    std::vector<Runner> all = runners();
-    if (!options.engines.empty())
-        std::erase_if(all, [&](const Runner& r) {
-            return std::ranges::find(options.engines, r.name) == options.engines.end();
-        });
-    const auto start = std::chrono::steady_clock::now();
-    const std::chrono::duration<double> budget(options.seconds);
-    for (int round = 0; round < 3 || std::chrono::steady_clock::now() - start < budget; ++round)
-        for (Runner& runner : all) {
-            const engine::Drawing drawing{engine::models[0], words, runner.kernel};
-            const int repeats = runner.kernel == nullptr ? 1 : 5;
-            for (int i = 0; i < repeats; ++i) {
-                const auto begin = std::chrono::steady_clock::now();
-                painters[runner.threads - 1].draw(drawing, engine::whole(size), {image.rgb});
-                runner.times.push_back(
-                    Milliseconds(std::chrono::steady_clock::now() - begin).count());
+    std::array<engine::Painter, most_threads> painters = {engine::Painter(1), engine::Painter(2)};
+    std::vector<Engine> all = engines(options);
+
+    // A slow engine draws once a round, a fast one as often as fits beside it.
+    constexpr Milliseconds turn(50);
+    constexpr int most_in_a_turn = 20;
+    constexpr int least_rounds = 5;
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::duration<double>(options.seconds);
+    for (int round = 0; round < least_rounds || Clock::now() < end; ++round)
+        for (Engine& by : all) {
+            const auto start = Clock::now();
+            for (int i = 0; i < most_in_a_turn && Clock::now() - start < turn; ++i) {
+                const auto begin = Clock::now();
+                painters[by.threads - 1].draw({model, words, by.kernel}, engine::whole(size),
+                                              {image.rgb});
+                by.milliseconds.push_back(Milliseconds(Clock::now() - begin).count());
             }
         }
-    for (Runner& runner : all) {
-        std::ranges::sort(runner.times);
-        fmt::print("{{\"view\": \"{}\", \"width\": {}, \"height\": {}, \"engine\": \"{}\", "
-                   "\"threads\": {}, \"median_ms\": {:.4f}, \"least_ms\": {:.4f}, \"runs\": {}}}\n",
-                   view.name, size.width, size.height, runner.name, runner.threads,
-                   runner.times[runner.times.size() / 2], runner.times.front(),
-                   runner.times.size());
+
+    for (Engine& by : all) {
+        std::ranges::sort(by.milliseconds);
+        const nlohmann::ordered_json row = {
+            {"view", view.name},
+            {"width", size.width},
+            {"height", size.height},
+            {"engine", by.name},
+            {"isa", by.isa},
+            {"threads", by.threads},
+            {"runs", by.milliseconds.size()},
+            {"median_ms", by.milliseconds[by.milliseconds.size() / 2]},
+            {"least_ms", by.milliseconds.front()},
+        };
+        fmt::print("{}\n", row.dump());
     }
+    std::fflush(stdout);
+}
+
+engine::PictureSize size_of(const std::string& text)
+{
+    engine::PictureSize size{};
+    if (std::sscanf(text.c_str(), "%hux%hu", &size.width, &size.height) != 2)
+        throw CLI::ValidationError("--sizes", "'" + text + "' is not WxH");
+    return size;
 }
 
 int run(int argc, char** argv)
 {
-    CLI::App app("times the marcher's engines");
+    CLI::App app("times the marcher's engines, in turns");
     Options options;
     app.add_option("--seconds", options.seconds, "for each view and size");
-    app.add_option("--view", options.views, "only these");
-    app.add_option("--engine", options.engines, "only these");
+    app.add_option("--sizes", options.sizes, "of the picture, WxH");
+    app.add_option("--views", options.views, "only these");
+    app.add_option("--engines", options.engines, "only these: student -O2, model, float, kernel …");
     CLI11_PARSE(app, argc, argv);
-    for (const View& view : views)
-        if (options.views.empty() ||
-            std::ranges::find(options.views, view.name) != options.views.end())
-            time_view(view, {640, 480}, options);
+    for (const std::string& size : options.sizes)
+        for (const View& view : views)
+            if (chosen(options.views, view.name))
+                time_view(view, size_of(size), options);
     return 0;
 }
 
