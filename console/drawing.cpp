@@ -93,7 +93,8 @@ void draw_fastest(const engine::Model& model, engine::WordSpan words, unsigned t
 }
 
 Result<void> draw_picture(const engine::Model& model, engine::WordSpan words,
-                          const DrawOptions& options, engine::Image& image)
+                          const DrawOptions& options, const engine::Region& tile,
+                          engine::Image& image)
 {
     const auto kernel = kernel_for(model, options);
     if (!kernel)
@@ -103,7 +104,7 @@ Result<void> draw_picture(const engine::Model& model, engine::WordSpan words,
     std::vector<Milliseconds> times;
     for (unsigned i = 0; i < std::max(options.repeat, 1U); ++i) {
         const auto start = std::chrono::steady_clock::now();
-        engine::draw_still(painter, drawing, image);
+        engine::draw_still(painter, drawing, tile, image);
         times.emplace_back(std::chrono::steady_clock::now() - start);
     }
     if (options.repeat > 0)

@@ -29,9 +29,10 @@ void add_draw_options(CLI::App& command, DrawOptions& options);
 /// The still of the words, by the fastest way.
 void draw_fastest(const engine::Model& model, engine::WordSpan words, unsigned threads,
                   engine::Image& image);
-/// The still of the words; where it is repeated, says on standard error how long one takes.
-/// Errors: Usage, for an instruction set that this program or this machine does not have.
+/// A part of the still of the words; where it is repeated, says on standard error how long one
+/// takes. Errors: Usage, for an instruction set that this program or this machine does not have.
 [[nodiscard]] Result<void> draw_picture(const engine::Model& model, engine::WordSpan words,
-                                        const DrawOptions& options, engine::Image& image);
+                                        const DrawOptions& options, const engine::Region& tile,
+                                        engine::Image& image);
 
 } // namespace raymarch::console

@@ -20,12 +20,15 @@ const Kernel* kernel_of(const Model& model, std::optional<Isa> isa) noexcept
 void draw_frame(Painter& painter, const Drawing& drawing, const Region& region,
                 const Canvas& canvas, const std::stop_token& stop)
 {
-    const bool finishes = drawing.model.finish != nullptr;
+    if (drawing.model.finish == nullptr) {
+        painter.draw(drawing, region, canvas, stop);
+        return;
+    }
     std::vector<PixelCost> costs(
-        finishes && canvas.costs.empty() ? std::size_t{region.size.width} * region.size.height : 0);
+        canvas.costs.empty() ? std::size_t{region.size.width} * region.size.height : 0);
     const Canvas to{canvas.rgb, costs.empty() ? canvas.costs : std::span(costs)};
-    painter.draw(drawing, region, to, stop);
-    if (finishes && !stop.stop_requested())
+    painter.draw(drawing, whole(region.size, region.frame), to, stop);
+    if (!stop.stop_requested())
         drawing.model.finish(drawing.words, to);
 }
 
@@ -38,14 +41,16 @@ std::vector<PixelCost> draw(const Model& model, WordSpan words, Image& image, un
     return costs;
 }
 
-void draw_still(Painter& painter, const Drawing& drawing, Image& image)
+void draw_still(Painter& painter, const Drawing& drawing, const Region& tile, Image& image)
 {
     const unsigned frames = frames_of_a_still(drawing.model, drawing.words);
     Image other(frames > 1 ? image.size : PictureSize{});
     for (unsigned frame = 0; frame < frames; ++frame) {
         if (frame > 0)
             std::swap(image, other);
-        draw_frame(painter, drawing, whole(image.size, frame), {image.rgb});
+        Region region = tile;
+        region.frame = frame;
+        draw_frame(painter, drawing, region, {image.rgb});
     }
 }
 

@@ -19,7 +19,7 @@ namespace raymarch::engine
 [[nodiscard]] const Kernel* kernel_of(const Model& model,
                                       std::optional<Isa> isa = std::nullopt) noexcept;
 
-/// Draws every pixel of frame number `frame` and what pixels owe to those before them. A picture
+/// Draws the region, or, where pixels owe something to those before them, the whole picture. One
 /// that is stopped is unfinished.
 void draw_frame(Painter& painter, const Drawing& drawing, const Region& region,
                 const Canvas& canvas, const std::stop_token& stop = {});
@@ -36,8 +36,13 @@ std::vector<PixelCost> draw(const Model& model, WordSpan words, Image& image, un
 }
 
 /// Draws as many frames as a still of these words takes, from number 0 on, into two buffers that
-/// take turns as the hardware's do, and leaves the last in `image`, which begins black.
-void draw_still(Painter& painter, const Drawing& drawing, Image& image);
+/// take turns as the hardware's do, and leaves the last in `image`, which begins black. Pixels
+/// outside `tile` are undefined.
+void draw_still(Painter& painter, const Drawing& drawing, const Region& tile, Image& image);
+inline void draw_still(Painter& painter, const Drawing& drawing, Image& image)
+{
+    draw_still(painter, drawing, whole(image.size), image);
+}
 
 /// The clock cycles of a frame on the accelerator's own number of ray units.
 [[nodiscard]] std::uint64_t frame_cycles(const Model& model, WordSpan words, PictureSize size,
