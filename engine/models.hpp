@@ -7,6 +7,7 @@
 #include "engine/fractal/fractal.hpp"
 #include "engine/mandelbulb/fast/kernels.hpp"
 #include "engine/mandelbulb/mandelbulb.hpp"
+#include "engine/marcher/fast/kernel.hpp"
 #include "engine/marcher/marcher.hpp"
 #include "engine/model.hpp"
 #include "engine/sphere/fast/kernels.hpp"
@@ -24,7 +25,8 @@ inline constexpr std::array models = {
     Model{.description = &protocol::marcher::description,
           .steps = "scene queries",
           .draw_row = marcher::draw_row,
-          .frame_cycles = marcher::frame_cycles},
+          .frame_cycles = marcher::frame_cycles,
+          .kernels = marcher::kernels},
     Model{.description = &protocol::fractal::description,
           .steps = "scene queries",
           .draw_row = fractal::draw_row,
