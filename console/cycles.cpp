@@ -2,6 +2,7 @@
 /// @file
 /// `raymarchctl cycles`: how long the source's hardware takes for a frame, by the exact model.
 #include "console/cycle_tables.hpp"
+#include "console/drawing.hpp"
 #include "console/frame_counts.hpp"
 #include "console/subcommands.hpp"
 #include "console/view_options.hpp"
@@ -104,9 +105,7 @@ void add_cycles(CLI::App& app, Run& run)
             "--frame", options->frame,
             "of a checkerboard, so many frames after reset (default: the mean of a still's)")
         ->type_name("N");
-    command->add_option("--threads", options->threads, "0 is one for each processor")
-        ->check(CLI::Range(0, 256))
-        ->type_name("N");
+    add_threads_option(*command, options->threads);
     CLI::Option* const table = command->add_flag(
         "--table", options->table,
         "the tables of the sources beside the models, as Markdown; of all accelerators, or one");

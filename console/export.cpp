@@ -2,6 +2,7 @@
 /// @file
 /// `raymarchctl export`: a picture, of a file or of the engine, as Ethernet frames, on an interface
 /// or in a capture file.
+#include "console/drawing.hpp"
 #include "console/grey_picture.hpp"
 #include "console/subcommands.hpp"
 #include "console/view_options.hpp"
@@ -104,7 +105,7 @@ Result<protocol::GreyPicture> draw_picture(const Options& options)
         return fail(words.error());
     engine::Image image(*size);
     if (*size == protocol::export_size) // else there is nothing to draw it for
-        engine::draw_still(engine::model_of(**accelerator), *words, image, options.threads);
+        draw_fastest(engine::model_of(**accelerator), *words, options.threads, image);
     return grey_of(image);
 }
 
@@ -143,10 +144,7 @@ void add_export(CLI::App& app, Run& run)
     CLI::Option_group& what = add_view_options(*command, options->view);
     what.description("(one of them)");
     what.require_option(1);
-    CLI::Option* const threads =
-        command->add_option("--threads", options->threads, "that draw; 0 is one for each processor")
-            ->check(CLI::Range(0, 256))
-            ->type_name("N");
+    CLI::Option* const threads = add_threads_option(*command, options->threads);
     what.add_option("--input", options->input,
                     "no view but this picture, pgm or ppm, levels times 17 or of 15")
         ->type_name("FILE")

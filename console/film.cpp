@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// `raymarchctl film`: the accelerator's frames while its scene or its camera moves.
+#include "console/drawing.hpp"
 #include "console/interruption.hpp"
 #include "console/moves.hpp"
 #include "console/progress.hpp"
@@ -77,10 +78,12 @@ Result<void> add_frames(const Scene& scene, const Options& options, pictures::Fi
     std::array<engine::Image, 2> buffers = {engine::Image(scene.size), engine::Image(scene.size)};
     protocol::State state = scene.state;
     Progress progress(options.frames);
+    engine::Painter painter(options.threads);
     for (unsigned frame = 0; frame < options.frames; ++frame) {
         engine::Image& image = buffers[frame % buffers.size()];
         const protocol::Words words = protocol::pack(scene.description, state);
-        engine::draw(model, words, image, options.threads, frame, stop);
+        engine::draw_frame(painter, {model, words, engine::kernel_of(model)},
+                           engine::whole(scene.size, frame), {image.rgb}, stop);
         if (stop.stop_requested())
             break;
         if (auto added = film.add(image); !added)
@@ -139,9 +142,7 @@ void add_film(CLI::App& app, Run& run)
         ->add_option("--steps", options->steps, "of the movement, from frame to frame (default: 1)")
         ->check(CLI::Range(1U, most_steps))
         ->type_name("K");
-    command->add_option("--threads", options->threads, "0 is one for each processor")
-        ->check(CLI::Range(0, 256))
-        ->type_name("N");
+    add_threads_option(*command, options->threads);
     command
         ->add_option("-o,--output", options->output,
                      "where to: .gif, .mp4, or a picture for each frame, as in name_%04d.png")

@@ -42,10 +42,13 @@ CountedView count(const engine::Model& model, const protocol::Words& words,
                                 : std::max(model.frames_of_a_still(words), 1U);
     CountedView view{.model = &model, .words = words, .size = size, .frames = {}};
     engine::Image image(size);
+    engine::Painter painter(threads);
     for (std::uint32_t i = 0; i < frames; ++i) {
         const std::uint32_t frame = number.value_or(i);
-        view.frames.push_back(
-            {.number = frame, .costs = engine::draw(model, words, image, threads, frame)});
+        std::vector<engine::PixelCost> costs(std::size_t{size.width} * size.height);
+        engine::draw_frame(painter, {model, words, engine::kernel_of(model)},
+                           engine::whole(size, frame), {image.rgb, costs});
+        view.frames.push_back({.number = frame, .costs = std::move(costs)});
     }
     return view;
 }

@@ -137,7 +137,8 @@ template <typename Real>
 void draw_reference_row(const Frame& frame, engine::RowOf row, std::span<std::uint8_t> pixels,
                         std::span<engine::PixelCost> costs, ThetaBy theta) noexcept
 {
-    for (std::uint16_t x = 0; x < row.size.width; ++x) {
+    for (unsigned at = row.columns.first; at < row.end(); at += row.columns.step) {
+        const auto x = static_cast<std::uint16_t>(at);
         const ReferenceRay<Real> ray = march_reference<Real>(frame, row.size, x, row.y, theta);
         costs[x] = {.steps = static_cast<std::uint32_t>(ray.evaluations), .rays = 1};
         const Rgb colour = ray.outcome == Outcome::Miss

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// `raymarchctl render`: the picture that the accelerator draws for a frame, words or a preset.
+#include "console/drawing.hpp"
 #include "console/picture_output.hpp"
 #include "console/subcommands.hpp"
 #include "console/view_options.hpp"
 #include "console/words.hpp"
-#include "engine/draw.hpp"
 #include "engine/models.hpp"
 #include "pictures/picture_file.hpp"
+#include "protocol/picture_size.hpp"
 
+#include <fmt/format.h>
 #include <sysexits.h>
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace raymarch::console
@@ -22,10 +26,34 @@ namespace
 struct Options
 {
     ViewOptions view;
-    unsigned threads = 0;
-    bool reference = false;
+    DrawOptions drawing;
+    std::optional<std::string> tile;
     std::string output;
 };
+
+/// The part of a picture of that size that is asked for.
+Result<protocol::Tile> tile_of(const Options& options, protocol::PictureSize size)
+{
+    if (!options.tile)
+        return protocol::Tile{.size = size};
+    if (const auto tile = protocol::parse_tile(*options.tile, size))
+        return *tile;
+    return fail(plain_error(ErrorKind::Usage,
+                            fmt::format("'{}' is not a tile of a picture of {}x{}, as in {}x{}+0+0",
+                                        *options.tile, size.width, size.height,
+                                        (size.width + 1) / 2, (size.height + 1) / 2)));
+}
+
+engine::Image cut(engine::Image& image, const protocol::Tile& tile)
+{
+    engine::Image part(tile.size);
+    for (std::size_t y = 0; y < tile.size.height; ++y)
+        std::ranges::copy(image.row(tile.y + y)
+                              .subspan(engine::bytes_per_pixel * tile.x,
+                                       engine::bytes_per_pixel * tile.size.width),
+                          part.row(y).begin());
+    return part;
+}
 
 Result<void> render(const Options& options)
 {
@@ -37,12 +65,23 @@ Result<void> render(const Options& options)
     const auto size = size_of(**accelerator, options.view);
     if (!size)
         return fail(size.error());
+    const auto tile = tile_of(options, *size);
+    if (!tile)
+        return fail(tile.error());
     const auto words = words_of(**accelerator, options.view);
     if (!words)
         return fail(words.error());
     engine::Image image(*size);
-    engine::draw_still(engine::model_of(**accelerator), *words, image, options.threads);
-    return write_picture(image, options.output);
+    const engine::Region region{.size = *size,
+                                .x = tile->x,
+                                .y = tile->y,
+                                .width = tile->size.width,
+                                .height = tile->size.height};
+    if (auto drawn =
+            draw_picture(engine::model_of(**accelerator), *words, options.drawing, region, image);
+        !drawn)
+        return drawn;
+    return write_picture(options.tile ? cut(image, *tile) : image, options.output);
 }
 
 } // namespace
@@ -53,12 +92,11 @@ void add_render(CLI::App& app, Run& run)
         app.add_subcommand("render", "the picture that the accelerator draws, by its exact model");
     const auto options = std::make_shared<Options>();
     add_view_options(*command, options->view);
-    command->add_option("--threads", options->threads, "0 is one for each processor")
-        ->check(CLI::Range(0, 256))
-        ->type_name("N");
-    command->add_flag(
-        "--reference", options->reference,
-        "with the plain scalar model that defines the bits (at present the only one)");
+    add_draw_options(*command, options->drawing);
+    command
+        ->add_option("--tile", options->tile,
+                     "of the picture this part alone: its size, columns left of it, rows above it")
+        ->type_name("WxH+X+Y");
     command
         ->add_option("-o,--output", options->output,
                      "where to, in the format of its ending: png, jpg, ppm, tga; - is ppm on "

@@ -2,6 +2,7 @@
 /// @file
 /// `raymarchctl sheet`: many views on one contact sheet.
 #include "pictures/sheet.hpp"
+#include "console/drawing.hpp"
 #include "console/picture_output.hpp"
 #include "console/subcommands.hpp"
 #include "console/view_options.hpp"
@@ -49,7 +50,7 @@ Result<pictures::SheetEntry> draw_view(const std::string& view, unsigned threads
     pictures::SheetEntry entry{engine::Image((*accelerator)->size),
                                fmt::format("{}{}{}", (*accelerator)->name,
                                            options.preset ? " " : "", options.preset.value_or(""))};
-    engine::draw_still(engine::model_of(**accelerator), *words, entry.image, threads);
+    draw_fastest(engine::model_of(**accelerator), *words, threads, entry.image);
     return entry;
 }
 
@@ -109,9 +110,7 @@ void add_sheet(CLI::App& app, Run& run)
     command->add_option("--columns", options->columns, "0 makes the sheet about square")
         ->check(CLI::Range(0, 32))
         ->type_name("N");
-    command->add_option("--threads", options->threads, "0 is one for each processor")
-        ->check(CLI::Range(0, 256))
-        ->type_name("N");
+    add_threads_option(*command, options->threads);
     command->add_option("-o,--output", options->output, "where to, in the format of its ending")
         ->type_name("FILE")
         ->required();

@@ -2,6 +2,7 @@
 /// @file
 /// `raymarchctl zoom`: deep views of the Mandelbulb at a point of its surface: as frames, or as a
 /// sheet that sets each arithmetic's picture beside the others (source 003, Fig. 9 and 10).
+#include "console/drawing.hpp"
 #include "console/mandelbulb_reference.hpp"
 #include "console/picture_output.hpp"
 #include "console/subcommands.hpp"
@@ -62,6 +63,7 @@ constexpr engine::Model in_floating_point()
 {
     engine::Model model = engine::model_of(table::description);
     model.draw_row = draw_row_in<Real>;
+    model.kernels = nullptr; // they are those of the exact model
     return model;
 }
 constexpr engine::Model exact = engine::model_of(table::description);
@@ -106,7 +108,7 @@ Result<engine::Image> draw_column(const Column& column, const protocol::State& s
     const auto form = static_cast<mandelbulb::Form>(changed.codes[table::FORM]);
     changed.codes[table::SCALE] = motion::mandelbulb::scale_at(form, level);
     engine::Image image(size);
-    engine::draw_still(column.model, protocol::pack(table::description, changed), image, threads);
+    draw_fastest(column.model, protocol::pack(table::description, changed), threads, image);
     return image;
 }
 
@@ -179,9 +181,7 @@ void add_zoom(CLI::App& app, Run& run)
     command->add_option("--size", options->size, "of each picture")
         ->type_name("WxH")
         ->capture_default_str();
-    command->add_option("--threads", options->threads, "0 is one for each processor")
-        ->check(CLI::Range(0, 256))
-        ->type_name("N");
+    add_threads_option(*command, options->threads);
     command
         ->add_option("-o,--output", options->output,
                      "the sheet, in the format of its ending; without it the frames are printed, "

@@ -15,6 +15,8 @@ namespace
 
 constexpr std::size_t window_bytes = protocol::register_page_bytes;
 constexpr const char* default_uio_name = "raymarch";
+/// Frames that take longer are shown coarse first.
+constexpr std::chrono::milliseconds emulation_patience{100};
 /// Without an interrupt line a pending commit is looked at this often; a frame takes tens of ms.
 constexpr std::chrono::milliseconds deferred_poll{2};
 
@@ -45,6 +47,7 @@ BusResult open_emulated(const Config& config, const protocol::Accelerator& accel
         options.size.width > accelerator.max_size.width ||
         options.size.height > accelerator.max_size.height)
         options.size = accelerator.size;
+    options.patience = emulation_patience;
     return emulation::EmulatedBlock::open(engine::model_of(accelerator), options,
                                           preview_to(config.preview));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "emulation/emulated_block.hpp"
 
-#include "engine/draw.hpp"
+#include "engine/progressive.hpp"
 
 #include <sys/eventfd.h>
 #include <unistd.h>
@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <optional>
 
 namespace raymarch::emulation
 {
@@ -100,7 +99,7 @@ void EmulatedBlock::write(drivers::RegOffset at, std::uint32_t word) noexcept
     if (const auto index = parameter_word(*model_.description, at)) {
         words_[*index] = word;
         if (options_.form == BlockForm::Bare || (control_ & control::shadow) == 0)
-            latch_ = true;
+            latch_at_frame_start();
     } else if (options_.form == BlockForm::Extended) {
         write_extended(Register{at.bytes}, word);
     }
@@ -117,7 +116,7 @@ void EmulatedBlock::write_extended(Register at, std::uint32_t word)
         raise_interrupt();
         return;
     case Register::Commit:
-        latch_ = true;
+        latch_at_frame_start();
         return;
     case Register::Status:
         if ((word & status::frame_done) != 0)
@@ -187,9 +186,62 @@ bool EmulatedBlock::frame_can_start() const
     return (latch_ || owed_ > 0) && enabled;
 }
 
+/// Newer words end a slow frame once something of it has been shown.
+void EmulatedBlock::latch_at_frame_start()
+{
+    latch_ = true;
+    if (slow_)
+        frame_.request_stop();
+}
+
+void EmulatedBlock::draw(engine::Painter& painter, const protocol::Words& words,
+                         std::uint32_t number, engine::Image& image, const std::stop_token& stop)
+{
+    using Clock = std::chrono::steady_clock;
+    const engine::Drawing drawing{model_, words, engine::kernel_of(model_)};
+    if (options_.patience && engine::frames_of_a_still(model_, words) == 1) {
+        const auto start = Clock::now();
+        painter.draw(drawing, engine::region_of(engine::passes[0], image.size, number),
+                     {image.rgb, costs_}, stop);
+        if ((Clock::now() - start) * engine::first_pass_share > *options_.patience) {
+            draw_in_passes(painter, drawing, number, image, stop);
+            return;
+        }
+    }
+    engine::draw_frame(painter, drawing, engine::whole(image.size, number), {image.rgb, costs_},
+                       stop);
+}
+
+/// The first pass has been drawn.
+void EmulatedBlock::draw_in_passes(engine::Painter& painter, const engine::Drawing& drawing,
+                                   std::uint32_t number, engine::Image& image,
+                                   const std::stop_token& stop)
+{
+    const engine::Canvas canvas{image.rgb, costs_};
+    engine::Image shown(image.size);
+    for (const engine::Pass& pass : engine::passes) {
+        if (&pass != engine::passes.data())
+            painter.draw(drawing, engine::region_of(pass, image.size, number), canvas, stop);
+        if (stop.stop_requested())
+            return;
+        if (pass.grid > 1 && sink_) {
+            engine::spread(image, pass.grid, shown);
+            sink_(shown);
+        }
+        const std::scoped_lock lock(mutex_);
+        slow_ = true;
+        if (latch_)
+            frame_.request_stop();
+    }
+    if (model_.finish != nullptr && !stop.stop_requested())
+        model_.finish(drawing.words, canvas);
+}
+
 void EmulatedBlock::work(const std::stop_token& stop)
 {
+    engine::Painter painter(options_.threads);
     std::array buffers = {engine::Image(options_.size), engine::Image(options_.size)};
+    costs_.resize(buffers[0].rgb.size() / engine::bytes_per_pixel);
     protocol::Words latched;
     std::unique_lock lock(mutex_);
     while (wake_.wait(lock, stop, [this] { return frame_can_start(); })) {
@@ -200,20 +252,29 @@ void EmulatedBlock::work(const std::stop_token& stop)
         }
         --owed_;
         status_ |= status::busy;
+        slow_ = false;
+        frame_ = std::stop_source();
+        const std::stop_token frame_stop = frame_.get_token();
+        const std::stop_callback end(stop, [source = frame_]() mutable { source.request_stop(); });
         const std::uint32_t number = frames_;
         engine::Image& image = buffers[number % buffers.size()];
 
         lock.unlock();
-        const auto costs = engine::draw(model_, latched, image, options_.threads, number, stop);
+        draw(painter, latched, number, image, frame_stop);
         if (stop.stop_requested())
             return;
+        const bool finished = !frame_stop.stop_requested();
         const std::uint64_t cycles =
-            engine::frame_cycles(model_, latched, options_.size, number, costs);
-        if (sink_)
+            engine::frame_cycles(model_, latched, options_.size, number, costs_);
+        if (sink_ && finished)
             sink_(image);
         lock.lock();
 
-        status_ = (status_ & ~status::busy) | status::frame_done;
+        slow_ = false;
+        status_ &= ~status::busy;
+        if (!finished)
+            continue;
+        status_ |= status::frame_done;
         ++frames_;
         cycles_ = static_cast<std::uint32_t>(
             std::min<std::uint64_t>(cycles, std::numeric_limits<std::uint32_t>::max()));

@@ -6,15 +6,19 @@
 
 #include "base/unique_fd.hpp"
 #include "drivers/ports.hpp"
-#include "engine/model.hpp"
+#include "engine/draw.hpp"
 #include "protocol/registers.hpp"
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <stop_token>
 #include <thread>
+#include <vector>
 
 namespace raymarch::emulation
 {
@@ -30,14 +34,16 @@ struct EmulatedOptions
     BlockForm form = BlockForm::Extended;
     engine::PictureSize size{};
     unsigned threads = 1; ///< of the drawing; 0: one for each processor
+    /// A frame that would take longer is drawn coarse first, and given up when newer words wait.
+    std::optional<std::chrono::milliseconds> patience{};
 };
 
-/// Called from the worker after each frame.
+/// Called from the worker after each frame, and with what there is of a slow one.
 using FrameSink = std::function<void(const engine::Image&)>;
 
 /// Behaves as the hardware does, with one saving: when words have been latched, as many frames are
 /// drawn as the picture takes to be complete, and no more. They go into two buffers in turn.
-/// FRAMES, STATUS and the interrupt count the frames that were drawn.
+/// FRAMES, STATUS and the interrupt count the frames that were drawn to their end.
 /// Registers may be used from one thread; the worker is the block's own.
 class EmulatedBlock final : public drivers::RegisterBus
 {
@@ -58,6 +64,11 @@ class EmulatedBlock final : public drivers::RegisterBus
     EmulatedBlock(const engine::Model& model, const EmulatedOptions& options, FrameSink sink,
                   UniqueFd interrupt);
     void work(const std::stop_token& stop);
+    void draw(engine::Painter& painter, const protocol::Words& words, std::uint32_t number,
+              engine::Image& image, const std::stop_token& stop);
+    void draw_in_passes(engine::Painter& painter, const engine::Drawing& drawing,
+                        std::uint32_t number, engine::Image& image, const std::stop_token& stop);
+    void latch_at_frame_start();
     void write_extended(protocol::Register at, std::uint32_t word);
     [[nodiscard]] std::uint32_t read_extended(protocol::Register at) const;
     [[nodiscard]] bool frame_can_start() const;
@@ -73,6 +84,8 @@ class EmulatedBlock final : public drivers::RegisterBus
     std::condition_variable_any wake_;
     protocol::Words words_{}; ///< as written; in shadow mode not yet seen by the ray units
     bool latch_ = false;      ///< words wait for a frame start
+    bool slow_ = false;       ///< the frame that is being drawn ends early for newer words
+    std::stop_source frame_;  ///< of the frame that is being drawn
     unsigned owed_ = 0;       ///< frames until the picture of the latched words is complete
     bool armed_ = true;
     std::uint32_t interrupts_ = 0;
@@ -82,7 +95,8 @@ class EmulatedBlock final : public drivers::RegisterBus
     std::uint32_t cycles_ = 0;
     std::uint32_t scratch_ = 0;
 
-    std::jthread worker_; ///< last: it uses all of the above
+    std::vector<engine::PixelCost> costs_; ///< the worker's
+    std::jthread worker_;                  ///< last: it uses all of the above
 };
 
 } // namespace raymarch::emulation

@@ -1,48 +1,56 @@
 // SPDX-License-Identifier: MIT
 #include "engine/draw.hpp"
 
-#include <algorithm>
-#include <atomic>
-#include <thread>
 #include <utility>
 
 namespace raymarch::engine
 {
 
+const Kernel* kernel_of(const Model& model, std::optional<Isa> isa) noexcept
+{
+    const Kernel* best = nullptr;
+    if (model.kernels != nullptr)
+        for (const Kernel& kernel : model.kernels())
+            if (kernel.draw != nullptr && supported(kernel.isa) &&
+                (isa ? kernel.isa == *isa : best == nullptr || best->isa < kernel.isa))
+                best = &kernel;
+    return best;
+}
+
+void draw_frame(Painter& painter, const Drawing& drawing, const Region& region,
+                const Canvas& canvas, const std::stop_token& stop)
+{
+    if (drawing.model.finish == nullptr) {
+        painter.draw(drawing, region, canvas, stop);
+        return;
+    }
+    std::vector<PixelCost> costs(
+        canvas.costs.empty() ? std::size_t{region.size.width} * region.size.height : 0);
+    const Canvas to{canvas.rgb, costs.empty() ? canvas.costs : std::span(costs)};
+    painter.draw(drawing, whole(region.size, region.frame), to, stop);
+    if (!stop.stop_requested())
+        drawing.model.finish(drawing.words, to);
+}
+
 std::vector<PixelCost> draw(const Model& model, WordSpan words, Image& image, unsigned threads,
                             std::uint32_t frame, const std::stop_token& stop)
 {
-    if (threads == 0)
-        threads = std::max(1U, std::thread::hardware_concurrency());
-    const PictureSize size = image.size;
-    std::vector<PixelCost> costs(std::size_t{size.width} * size.height);
-    std::atomic<unsigned> next_row = 0;
-
-    // Rows differ in cost, so each thread takes the next one that is free.
-    const auto work = [&] {
-        for (unsigned y = next_row++; y < size.height && !stop.stop_requested(); y = next_row++)
-            model.draw_row(words, {size, static_cast<std::uint16_t>(y), frame}, image.row(y),
-                           std::span(costs).subspan(std::size_t{y} * size.width, size.width));
-    };
-    {
-        std::vector<std::jthread> others;
-        for (unsigned i = 1; i < threads; ++i)
-            others.emplace_back(work);
-        work();
-    }
-    if (model.finish != nullptr && !stop.stop_requested())
-        model.finish(words, image, costs);
+    std::vector<PixelCost> costs(std::size_t{image.size.width} * image.size.height);
+    Painter painter(threads);
+    draw_frame(painter, {model, words}, whole(image.size, frame), {image.rgb, costs}, stop);
     return costs;
 }
 
-void draw_still(const Model& model, WordSpan words, Image& image, unsigned threads)
+void draw_still(Painter& painter, const Drawing& drawing, const Region& tile, Image& image)
 {
-    const unsigned frames = frames_of_a_still(model, words);
+    const unsigned frames = frames_of_a_still(drawing.model, drawing.words);
     Image other(frames > 1 ? image.size : PictureSize{});
     for (unsigned frame = 0; frame < frames; ++frame) {
         if (frame > 0)
             std::swap(image, other);
-        draw(model, words, image, threads, frame);
+        Region region = tile;
+        region.frame = frame;
+        draw_frame(painter, drawing, region, {image.rgb});
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `640x480` to a picture's size.
+/// `640x480` to a picture's size, `64x48+10+20` to a part of a picture.
 #pragma once
 
 #include "protocol/parameters.hpp"
@@ -26,6 +26,35 @@ namespace raymarch::protocol
         size.width > largest.width || size.height > largest.height)
         return std::nullopt;
     return size;
+}
+
+/// A rectangle of a picture: its upper left corner and its size.
+struct Tile
+{
+    std::uint16_t x = 0;
+    std::uint16_t y = 0;
+    PictureSize size;
+};
+
+/// A size, and the columns and rows left of it and above it; nothing for other text, or for a tile
+/// that is not inside the picture.
+[[nodiscard]] inline std::optional<Tile> parse_tile(std::string_view text,
+                                                    PictureSize picture) noexcept
+{
+    const std::size_t plus = text.find('+');
+    const auto size = parse_size(text.substr(0, plus), picture);
+    if (!size || plus == std::string_view::npos)
+        return std::nullopt;
+    Tile tile{.size = *size};
+    const char* const end = text.data() + text.size();
+    const auto x = std::from_chars(text.data() + plus + 1, end, tile.x);
+    if (x.ec != std::errc{} || x.ptr == end || *x.ptr != '+')
+        return std::nullopt;
+    const auto y = std::from_chars(x.ptr + 1, end, tile.y);
+    if (y.ec != std::errc{} || y.ptr != end || tile.x > picture.width - size->width ||
+        tile.y > picture.height - size->height)
+        return std::nullopt;
+    return tile;
 }
 
 } // namespace raymarch::protocol

@@ -20,7 +20,8 @@ void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
     const Camera camera = camera_along(frame.forward);
     const Plane plane = plane_of(row.size);
     const Palette colours = palette(frame.colour ? Colouring::Hue : Colouring::Grey, frame.hue);
-    for (std::uint16_t x = 0; x < row.size.width; ++x) {
+    for (unsigned at = row.columns.first; at < row.end(); at += row.columns.step) {
+        const auto x = static_cast<std::uint16_t>(at);
         costs[x] = {};
         if (frame.checker && !in_half(row.frame, x, row.y))
             continue;

@@ -20,7 +20,8 @@ void draw_row_in(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
 {
     const Point<Format> origin = position_in<Format>(frame.position);
     const Limits limits{frame.epsilon_shift, frame.max_evaluations};
-    for (std::uint16_t x = 0; x < row.size.width; ++x) {
+    for (unsigned at = row.columns.first; at < row.end(); at += row.columns.step) {
+        const auto x = static_cast<std::uint16_t>(at);
         const Direction direction = ray_direction(frame, row.size, x, row.y);
         const March<Format> ray = march<Format>(origin, direction, frame.arithmetic, limits);
         costs[x] = {.steps = static_cast<std::uint32_t>(ray.evaluations), .rays = 1};

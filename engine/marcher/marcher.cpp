@@ -17,7 +17,8 @@ void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
 {
     const Frame frame = latch(words);
     const SceneRow& scene = scene_row(frame.scene);
-    for (std::uint16_t x = 0; x < row.size.width; ++x) {
+    for (unsigned at = row.columns.first; at < row.end(); at += row.columns.step) {
+        const auto x = static_cast<std::uint16_t>(at);
         const Point direction = ray_direction(frame, row.size, x, row.y);
         const March ray = march(frame.eye, direction, scene.distance);
         costs[x] = {.steps = static_cast<std::uint32_t>(ray.queries), .rays = 1};

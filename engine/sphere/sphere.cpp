@@ -48,14 +48,15 @@ void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
               std::span<PixelCost> costs) noexcept
 {
     const Frame registers = held(frame);
-    for (std::uint16_t x = 0; x < row.size.width; ++x) {
+    for (unsigned at = row.columns.first; at < row.end(); at += row.columns.step) {
+        const auto x = static_cast<std::uint16_t>(at);
         const Drawn drawn = draw_pixel(registers, x, row.y);
         std::ranges::copy(drawn.colour, pixels.begin() + std::ptrdiff_t{x} * 3);
         costs[x] = drawn.cost;
     }
 }
 
-void finish(const Frame& frame, Image& image, std::span<const PixelCost> costs) noexcept
+void finish(const Frame& frame, const Canvas& canvas) noexcept
 {
     const bool timed = frame.design == Design::RtlTimed;
     if (frame.faults == Faults::Corrected || (frame.design != Design::RtlTop && !timed))
@@ -64,9 +65,9 @@ void finish(const Frame& frame, Image& image, std::span<const PixelCost> costs) 
     Colour before{};   // what the core showed for the pixel before: it is written one late
     Colour quotient{}; // in the divider's output register, held at white as the pixel is
     std::uint64_t enable = first_enable;
-    for (std::size_t i = 0; i < costs.size(); ++i) {
-        const auto pixel = std::span(image.rgb).subspan(i * bytes_per_pixel, bytes_per_pixel);
-        const OutcomeRow& row = row_of_period(costs[i].steps);
+    for (std::size_t i = 0; i < canvas.costs.size(); ++i) {
+        const auto pixel = canvas.rgb.subspan(i * bytes_per_pixel, bytes_per_pixel);
+        const OutcomeRow& row = row_of_period(canvas.costs[i].steps);
         Colour shown{};
         std::ranges::copy(pixel, shown.begin());
         if (row.lit) {
@@ -95,9 +96,9 @@ void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
     draw_row(latch(words), row, pixels, costs);
 }
 
-void finish(WordSpan words, Image& image, std::span<PixelCost> costs) noexcept
+void finish(WordSpan words, const Canvas& canvas) noexcept
 {
-    finish(latch(words), image, costs);
+    finish(latch(words), canvas);
 }
 
 std::uint64_t frame_cycles(WordSpan words, RowOf /*last_row*/, std::span<const PixelCost> costs,

@@ -19,7 +19,7 @@ void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
               std::span<PixelCost> costs) noexcept;
 
 /// See Model: what the hardware's state makes of the pixels of a first frame after power-up.
-void finish(const Frame& frame, Image& image, std::span<const PixelCost> costs) noexcept;
+void finish(const Frame& frame, const Canvas& canvas) noexcept;
 
 /// See Model: the edges of all pixels, one after another. The prototype's are those that the
 /// hardware's unit would need for its evaluations, were each to run to the end.
@@ -29,7 +29,7 @@ void finish(const Frame& frame, Image& image, std::span<const PixelCost> costs) 
 /// The same from words, as Model has it.
 void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
               std::span<PixelCost> costs) noexcept;
-void finish(WordSpan words, Image& image, std::span<PixelCost> costs) noexcept;
+void finish(WordSpan words, const Canvas& canvas) noexcept;
 std::uint64_t frame_cycles(WordSpan words, RowOf last_row, std::span<const PixelCost> costs,
                            unsigned units) noexcept;
 

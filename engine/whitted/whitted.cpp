@@ -12,7 +12,7 @@ namespace raymarch::engine::whitted
 void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
               std::span<PixelCost> costs) noexcept
 {
-    draw_row(latch(words), row.size, row.y, pixels, costs);
+    draw_row(latch(words), row, pixels, costs);
 }
 
 std::uint64_t frame_cycles(WordSpan words, RowOf last_row, std::span<const PixelCost> costs,
@@ -27,13 +27,12 @@ std::uint64_t frame_rays(WordSpan words, PictureSize size,
     return frame_cost(latch(words), size, costs).rays;
 }
 
-void draw_row(const Frame& frame, PictureSize size, unsigned y, std::span<std::uint8_t> pixels,
+void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
               std::span<PixelCost> costs) noexcept
 {
-    for (std::size_t x = 0; x < size.width; ++x) {
-        const Pixel pixel = draw_pixel(frame, size, static_cast<unsigned>(x), y);
-        std::ranges::copy(displayed(pixel.word),
-                          pixels.begin() + static_cast<std::ptrdiff_t>(bytes_per_pixel * x));
+    for (unsigned x = row.columns.first; x < row.end(); x += row.columns.step) {
+        const Pixel pixel = draw_pixel(frame, row.size, x, row.y);
+        std::ranges::copy(displayed(pixel.word), pixels.begin() + std::ptrdiff_t{3} * x);
         costs[x] = pixel.cost;
     }
 }

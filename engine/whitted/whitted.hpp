@@ -24,8 +24,8 @@ std::uint64_t frame_cycles(WordSpan words, RowOf last_row, std::span<const Pixel
 std::uint64_t frame_rays(WordSpan words, PictureSize size,
                          std::span<const PixelCost> costs) noexcept;
 
-/// Row `y` of the picture of a frame.
-void draw_row(const Frame& frame, PictureSize size, unsigned y, std::span<std::uint8_t> pixels,
+/// The same of a frame.
+void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
               std::span<PixelCost> costs) noexcept;
 
 /// What a frame costs in all.

@@ -59,7 +59,8 @@ class AllModels : public testing::TestWithParam<engine::Model>
         const protocol::Accelerator& accelerator = *model.description;
         const protocol::Words words = protocol::pack(accelerator, state);
         engine::Image expected(size);
-        draw_still(model, words, expected, 1);
+        engine::Painter painter(1);
+        draw_still(painter, {model, words}, expected);
 
         Screen screen;
         const auto block =
@@ -101,13 +102,14 @@ TEST(Checkerboard, IsCompleteAfterFourFrames)
     protocol::State state = protocol::initial_state(protocol::fractal::description);
     protocol::ParameterSet given;
     engine::Image whole(size);
-    draw_still(model, pack(*model.description, state), whole, 1);
+    engine::Painter painter(1);
+    draw_still(painter, {model, pack(*model.description, state)}, whole);
     ASSERT_FALSE(
         protocol::read_assignments(*model.description, {.bytes = "CHECKER=on"}, state, given));
     const protocol::Words words = pack(*model.description, state);
     EXPECT_EQ(frames_of_a_still(model, words), 4U);
     engine::Image halves(size);
-    draw_still(model, words, halves, 1);
+    draw_still(painter, {model, words}, halves);
     EXPECT_EQ(halves.rgb, whole.rgb);
     engine::Image first(size);
     draw(model, words, first, 1, 0);

@@ -5,6 +5,7 @@
 
 #include "engine/draw.hpp"
 #include "engine/models.hpp"
+#include "engine/progressive.hpp"
 #include "protocol/registers.hpp"
 #include "tests/fakes/waiting.hpp"
 
@@ -73,10 +74,12 @@ class Block : public testing::Test
   protected:
     ~Block() override { screen.let_go(); }
 
-    void open(BlockForm form = BlockForm::Extended)
+    void open(BlockForm form = BlockForm::Extended,
+              std::optional<std::chrono::milliseconds> patience = std::nullopt)
     {
         auto opened =
-            EmulatedBlock::open(model, {.form = form, .size = size, .threads = 1},
+            EmulatedBlock::open(model,
+                                {.form = form, .size = size, .threads = 1, .patience = patience},
                                 [this](const engine::Image& image) { screen.take(image); });
         ASSERT_TRUE(opened);
         block = std::move(*opened);
@@ -312,6 +315,51 @@ TEST_F(Block, TheBareFormEndsUpWithTheLastWords)
     write_words(cube_words());
     screen.let_go();
     EXPECT_EQ(screen.frame(2), picture_of(cube_words()).rgb);
+}
+
+constexpr std::chrono::milliseconds none{0}; // every frame is slow
+
+TEST_F(Block, ASlowFrameIsShownCoarseFirst)
+{
+    open(BlockForm::Extended, none);
+    write(Register::Control, in_shadow);
+    write_words(cube_words());
+    write(Register::Commit, 1);
+    const engine::Image expected = picture_of(cube_words());
+    engine::Image coarse(size);
+    std::size_t shown = 0;
+    for (const unsigned grid : {8U, 4U, 2U}) {
+        engine::spread(expected, grid, coarse);
+        EXPECT_EQ(screen.frame(++shown), coarse.rgb) << grid;
+    }
+    EXPECT_EQ(screen.frame(++shown), expected.rgb);
+    EXPECT_EQ(take_interrupt(), 1U);
+    EXPECT_EQ(read(Register::Frames), 1U); // one frame, however often it was shown
+    const auto cycles = read(Register::Cycles);
+    engine::Image image(size);
+    const auto costs = draw(model, cube_words(), image, 1);
+    EXPECT_EQ(cycles, engine::frame_cycles(model, cube_words(), size, 0, costs));
+}
+
+TEST_F(Block, NewerWordsEndASlowFrame)
+{
+    open(BlockForm::Extended, none);
+    screen.hold();
+    write(Register::Control, in_shadow);
+    write_words(default_words());
+    write(Register::Commit, 1);
+    engine::Image coarse(size);
+    engine::spread(picture_of(default_words()), 8, coarse);
+    EXPECT_EQ(screen.frame(1), coarse.rgb); // and the worker is held there
+    write_words(cube_words());
+    write(Register::Commit, 1);
+    screen.let_go();
+    engine::spread(picture_of(cube_words()), 8, coarse);
+    EXPECT_EQ(screen.frame(2), coarse.rgb);
+    EXPECT_EQ(screen.frame(5), picture_of(cube_words()).rgb);
+    EXPECT_EQ(take_interrupt(), 1U);
+    EXPECT_EQ(read(Register::Frames), 1U); // the other was not drawn to its end
+    EXPECT_EQ(read(Register::Status), 0U);
 }
 
 TEST_F(Block, EndsWhileItDraws)

@@ -79,5 +79,20 @@ TEST(PictureSize, TwoNumbersJoinedByAnX)
         EXPECT_FALSE(parse_size(text, largest)) << "'" << text << "'";
 }
 
+TEST(Tile, IsASizeAndACornerInsideThePicture)
+{
+    constexpr PictureSize picture{64, 48};
+    const auto tile = parse_tile("16x8+48+40", picture);
+    ASSERT_TRUE(tile);
+    EXPECT_EQ(tile->size, (PictureSize{16, 8}));
+    EXPECT_EQ(tile->x, 48);
+    EXPECT_EQ(tile->y, 40);
+    EXPECT_TRUE(parse_tile("64x48+0+0", picture));
+    for (const char* text :
+         {"", "16x8", "16x8+0", "16x8+0+", "16x8++0", "16x8+0+0 ", "16x8+49+0", "16x8+0+41",
+          "16x8+-1+0", "16x8+0+0x", "65x1+0+0", "0x1+0+0", "1x1+65536+0", "x+0+0"})
+        EXPECT_FALSE(parse_tile(text, picture)) << "'" << text << "'";
+}
+
 } // namespace
 } // namespace raymarch::protocol

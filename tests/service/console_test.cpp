@@ -94,12 +94,47 @@ TEST(Tool, LineWordsAndSetDrawTheSame)
     EXPECT_EQ(line.output, registers.output) << registers.errors;
 }
 
+TEST(Tool, RenderDrawsTheSamePictureInEveryWay)
+{
+    using Arguments = std::vector<std::string>;
+    const TemporaryFolder folder;
+    const Arguments view = {"render", "--scene", "cube", "--size", "63x47", "-o", "-"};
+    const auto drawn = [&](Arguments more) {
+        more.insert(more.begin(), view.begin(), view.end());
+        return run_tool(folder, more);
+    };
+    const Finished reference = drawn({"--reference"});
+    ASSERT_EQ(reference.status, EX_OK) << reference.errors;
+    EXPECT_EQ(reference.errors, "");
+    for (const Arguments& way : {Arguments{}, Arguments{"--isa", "scalar"},
+                                 Arguments{"--threads", "3"}, Arguments{"--repeat", "2"}})
+        EXPECT_EQ(drawn(way).output, reference.output) << testing::PrintToString(way);
+    EXPECT_NE(drawn({"--repeat", "2", "--reference", "--threads", "3"})
+                  .errors.find("; reference, 3 threads\n"),
+              std::string::npos);
+
+    // The bytes of three columns and two rows behind a header of its own.
+    const Finished tile = drawn({"--tile", "3x2+30+20"});
+    const std::string header = "P6\n3 2\n255\n";
+    ASSERT_EQ(tile.output.size(), header.size() + 18) << tile.errors;
+    const std::string_view picture = std::string_view(reference.output).substr(13);
+    EXPECT_EQ(tile.output, header + std::string(picture.substr(3 * (20 * 63 + 30), 9)) +
+                               std::string(picture.substr(3 * (21 * 63 + 30), 9)));
+}
+
 TEST(Tool, RenderRefusesBeforeItDraws)
 {
     const TemporaryFolder folder;
     EXPECT_EQ(run_tool(folder, {"render", "-o", folder / "picture.gif"}).status, EX_USAGE);
     EXPECT_EQ(run_tool(folder, {"render", "--size", "1921x1080", "-o", "-"}).status, EX_USAGE);
     EXPECT_EQ(run_tool(folder, {"render", "--preset", "nosuch", "-o", "-"}).status, EX_USAGE);
+    EXPECT_EQ(run_tool(folder, {"render", "--tile", "2x2+639+0", "-o", "-"}).status, EX_USAGE);
+    EXPECT_EQ(run_tool(folder, {"render", "--isa", "avx2", "--reference", "-o", "-"}).status,
+              EX_USAGE);
+    const Finished isa = run_tool(folder, {"render", "--isa", "mmx", "-o", "-"});
+    EXPECT_EQ(isa.status, EX_USAGE);
+    EXPECT_NE(isa.errors.find("'mmx' does not draw marcher on this machine; there are scalar"),
+              std::string::npos);
     const Finished bad = run_tool(folder, {"render", "--line", "FX=2", "-o", "-"});
     EXPECT_EQ(bad.status, EX_DATAERR);
     EXPECT_NE(bad.errors.find("ERR RANGE col=4 key=FX"), std::string::npos);

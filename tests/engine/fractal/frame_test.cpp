@@ -83,7 +83,8 @@ TEST(FractalFrame, TheModelDrawsAndCountsFromWords)
     state.codes[table::CHECKER] = 1;
     EXPECT_EQ(model.frames_of_a_still(words_of(state)), 4U);
     Image other(test::size);
-    draw_still(model, words_of(state), other, 1);
+    Painter painter(1);
+    draw_still(painter, {model, words_of(state)}, other);
     EXPECT_EQ(other.rgb, image.rgb);
 }
 

@@ -37,7 +37,8 @@ TEST(FractalPresets, StandInFreeSpaceAndShowSomething)
         ++views[static_cast<std::size_t>(frame.scene)];
         EXPECT_GT(scene_row(frame.scene).distance(frame.position), hundredth) << preset.name;
         Image image({64, 48});
-        draw_still(model_of(table::description), words, image, 1);
+        Painter painter(1);
+        draw_still(painter, {model_of(table::description), words}, image);
         const auto [darkest, brightest] = std::ranges::minmax(image.rgb);
         EXPECT_GT(brightest - darkest, 150) << preset.name;
     }

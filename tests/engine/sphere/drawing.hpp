@@ -27,7 +27,7 @@ inline Drawing draw_frame(const Frame& frame, PictureSize size = source_size)
     for (std::uint16_t y = 0; y < size.height; ++y)
         draw_row(frame, {size, y}, drawing.image.row(y),
                  std::span(drawing.costs).subspan(std::size_t{y} * size.width, size.width));
-    finish(frame, drawing.image, drawing.costs);
+    finish(frame, {drawing.image.rgb, drawing.costs});
     return drawing;
 }
 

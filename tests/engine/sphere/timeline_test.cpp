@@ -93,7 +93,7 @@ std::vector<int> written(Design design, const std::vector<Outcome>& drawn)
         image.rgb[3 * i] = static_cast<std::uint8_t>(i + 1);
         costs.push_back({row_of(drawn[i]).period, row_of(drawn[i]).rays});
     }
-    finish(frame, image, costs);
+    finish(frame, {image.rgb, costs});
     std::vector<int> shades;
     for (std::size_t i = 0; i < drawn.size(); ++i)
         shades.push_back(image.rgb[3 * i]);

@@ -46,13 +46,13 @@ FrameCost cost_of(const Frame& frame, PictureSize size)
 {
     Image image(size);
     std::vector<PixelCost> costs(std::size_t{size.width} * size.height);
-    const auto work = [&](unsigned first) {
-        for (unsigned y = first; y < size.height; y += 2)
-            draw_row(frame, size, y, image.row(y),
+    const auto work = [&](std::uint16_t first) {
+        for (std::uint16_t y = first; y < size.height; y += 2)
+            draw_row(frame, {size, y}, image.row(y),
                      std::span(costs).subspan(std::size_t{y} * size.width, size.width));
     };
     {
-        const std::jthread other(work, 1U);
+        const std::jthread other(work, std::uint16_t{1});
         work(0);
     }
     return frame_cost(frame, size, costs);

@@ -149,8 +149,8 @@ TEST(WhittedWords, EveryPresetShowsSomething)
         const Frame frame = frame_of(row.settings);
         Image image({128, 96});
         std::vector<PixelCost> costs(image.size.width);
-        for (unsigned y = 0; y < image.size.height; y += 24)
-            draw_row(frame, image.size, y, image.row(y), costs);
+        for (std::uint16_t y = 0; y < image.size.height; y += 24)
+            draw_row(frame, {image.size, y}, image.row(y), costs);
         const auto [darkest, brightest] = std::ranges::minmax(image.rgb);
         EXPECT_GT(brightest - darkest, 60) << row.name;
         EXPECT_FALSE(row.summary.empty());
@@ -168,7 +168,7 @@ TEST(WhittedWords, RowsFrameAndCyclesOfTheBestCase)
     // The smaller picture is the middle of the larger one.
     Image larger({512, 480});
     std::vector<PixelCost> row(512);
-    draw_row(latch(words), larger.size, 240, larger.row(240), row);
+    draw_row(latch(words), {larger.size, 240}, larger.row(240), row);
     EXPECT_TRUE(std::ranges::equal(larger.row(240).subspan(3 * 96, 3 * 320), image.row(120)));
 }
 

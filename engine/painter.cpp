@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "engine/painter.hpp"
+
+#include <algorithm>
+
+namespace raymarch::engine
+{
+namespace
+{
+
+/// Rows that one thread takes at a time: enough to repay a kernel's set-up, and few enough that the
+/// threads end together.
+constexpr unsigned band_rows = 16;
+
+/// Rows of the region's lattice.
+unsigned lattice_rows(const Region& region) noexcept
+{
+    return (region.height + region.step - 1U) / region.step;
+}
+
+/// Rows `first` to `first + count` of the region's lattice.
+Region rows_of(const Region& region, unsigned first, unsigned count) noexcept
+{
+    Region band = region;
+    band.y = static_cast<std::uint16_t>(region.y + first * region.step);
+    band.height = static_cast<std::uint16_t>(
+        std::min<unsigned>(count * region.step, region.height - first * region.step));
+    return band;
+}
+
+void draw_by_reference(const Drawing& drawing, const Region& region, const Canvas& canvas) noexcept
+{
+    const Columns columns{region.x, static_cast<std::uint16_t>(region.x + region.width),
+                          region.step};
+    const std::size_t width = region.size.width;
+    for (unsigned y = region.y; y < unsigned{region.y} + region.height; y += region.step)
+        drawing.model.draw_row(
+            drawing.words, {region.size, static_cast<std::uint16_t>(y), region.frame, columns},
+            canvas.rgb.subspan(bytes_per_pixel * width * y, bytes_per_pixel * width),
+            canvas.costs.subspan(width * y, width));
+}
+
+} // namespace
+
+Painter::Painter(unsigned threads)
+{
+    if (threads == 0)
+        threads = std::max(1U, std::thread::hardware_concurrency());
+    for (unsigned i = 1; i < threads; ++i)
+        helpers_.emplace_back([this] { help(0); });
+}
+
+Painter::~Painter()
+{
+    closing_ = true;
+    ++round_;
+    round_.notify_all();
+}
+
+void Painter::draw(const Drawing& drawing, const Region& region, const Canvas& canvas,
+                   const std::stop_token& stop)
+{
+    Canvas to = canvas;
+    if (drawing.kernel == nullptr && canvas.costs.empty()) {
+        unwanted_.resize(std::size_t{region.size.width} * region.size.height);
+        to.costs = unwanted_;
+    }
+    // A row of the reference can take seconds: one at a time, so that a stop is soon seen.
+    const unsigned rows = drawing.kernel == nullptr ? 1 : band_rows;
+    share((lattice_rows(region) + rows - 1) / rows, [&](unsigned part) {
+        if (stop.stop_requested())
+            return;
+        const Region band = rows_of(region, part * rows, rows);
+        if (drawing.kernel == nullptr)
+            draw_by_reference(drawing, band, to);
+        else
+            drawing.kernel->draw(drawing.words, band, to);
+    });
+}
+
+void Painter::share(unsigned parts, const std::function<void(unsigned)>& work)
+{
+    work_ = &work;
+    parts_ = parts;
+    next_ = 0;
+    busy_ = static_cast<unsigned>(helpers_.size());
+    ++round_;
+    round_.notify_all();
+    take_parts();
+    for (unsigned busy = busy_; busy != 0; busy = busy_)
+        busy_.wait(busy);
+}
+
+/// Parts differ in cost, so each thread takes the next one that is free.
+void Painter::take_parts()
+{
+    for (unsigned part = next_++; part < parts_; part = next_++)
+        (*work_)(part);
+}
+
+void Painter::help(unsigned seen)
+{
+    for (;;) {
+        round_.wait(seen);
+        seen = round_;
+        if (closing_)
+            return;
+        take_parts();
+        if (--busy_ == 0)
+            busy_.notify_one();
+    }
+}
+
+} // namespace raymarch::engine

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The threads that draw: started once, they wait between pictures.
+#pragma once
+
+#include "engine/model.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+namespace raymarch::engine
+{
+
+/// What is drawn, and by which of the ways to the same bytes.
+struct Drawing
+{
+    const Model& model;
+    WordSpan words;
+    const Kernel* kernel = nullptr; ///< nullptr: the reference
+};
+
+/// Draws one picture at a time; used from one thread.
+class Painter
+{
+  public:
+    /// `threads` from 1, the caller's among them; 0 means one for each processor.
+    explicit Painter(unsigned threads = 0);
+    ~Painter();
+    Painter(const Painter&) = delete;
+    Painter& operator=(const Painter&) = delete;
+
+    [[nodiscard]] unsigned threads() const noexcept
+    {
+        return static_cast<unsigned>(helpers_.size()) + 1;
+    }
+
+    /// Draws the region's pixels: the same bytes for any number of threads. When a stop is
+    /// requested the picture is left unfinished, at the latest one band of rows a thread later.
+    /// Model::finish is the caller's.
+    void draw(const Drawing& drawing, const Region& region, const Canvas& canvas,
+              const std::stop_token& stop = {});
+
+  private:
+    /// Calls work(0) to work(parts - 1), each once, from all threads.
+    void share(unsigned parts, const std::function<void(unsigned)>& work);
+    void take_parts();
+    void help(unsigned seen);
+
+    std::vector<PixelCost> unwanted_; ///< costs of the reference that nobody asked for
+
+    // One job: set before `round_` is raised, kept until no helper is busy.
+    const std::function<void(unsigned)>* work_ = nullptr;
+    unsigned parts_ = 0;
+    std::atomic<unsigned> next_ = 0;
+    std::atomic<unsigned> busy_ = 0;
+    std::atomic<unsigned> round_ = 0;
+    std::atomic<bool> closing_ = false;
+    std::vector<std::jthread> helpers_; ///< last: they use all of the above
+};
+
+} // namespace raymarch::engine
