@@ -3,8 +3,9 @@
 /// The ways of the C and C++ libraries to read a frame, for bench_command_path to compare with.
 ///
 /// Each does what a host of the source would write with it: find the key, read a double, check the
-/// range, scale and round to the nearest code. Decimals of up to some fifteen digits come out as the
-/// exact way has them; where a longer one falls on a tie, or past the end of a range, they may not.
+/// range, scale and round to the nearest code. Decimals of up to some fifteen digits come out as
+/// the exact way has them; where a longer one falls on a tie, or past the end of a range, they may
+/// not.
 #pragma once
 
 #include "protocol/parameters.hpp"

@@ -43,13 +43,14 @@ struct Contestant
 constexpr std::array contestants = {
     Contestant{"raymarch", ours, ours},
     Contestant{"sscanf", sscanf_in_order, sscanf_any_order},
+    Contestant{"sscanf_by_pair", sscanf_any_order, sscanf_any_order},
     Contestant{"from_chars", with_from_chars, with_from_chars},
     Contestant{"fast_float", with_fast_float, with_fast_float},
 };
 
-Words words_of(ReadFrame read, const std::string& line)
+/// Over what `state` holds, as the service does it.
+Words words_of(ReadFrame read, const std::string& line, State& state)
 {
-    State state(accelerator.parameters.size());
     if (!read(line, state)) {
         std::cerr << "bench_command_path: refused: " << line << '\n';
         std::exit(EXIT_FAILURE);
@@ -60,10 +61,11 @@ Words words_of(ReadFrame read, const std::string& line)
 /// Ends the program unless all contestants get the same words from every line.
 void compare(const Frames& lines, ReadFrame Contestant::*way)
 {
+    State state(accelerator.parameters.size());
     for (const std::string& line : lines) {
-        const Words words = words_of(contestants[0].*way, line);
+        const Words words = words_of(contestants[0].*way, line, state);
         for (const Contestant& contestant : contestants) {
-            if (words_of(contestant.*way, line) == words)
+            if (words_of(contestant.*way, line, state) == words)
                 continue;
             std::cerr << "bench_command_path: " << contestant.name << " has other words for "
                       << line << '\n';
@@ -75,11 +77,12 @@ void compare(const Frames& lines, ReadFrame Contestant::*way)
 /// One line an iteration.
 void run(benchmark::State& state, ReadFrame read, const Frames& lines)
 {
+    State codes(accelerator.parameters.size());
     std::size_t next = 0;
     for ([[maybe_unused]] auto _ : state) {
         benchmark::DoNotOptimize(lines[next].data());
         benchmark::ClobberMemory();
-        Words words = words_of(read, lines[next]);
+        Words words = words_of(read, lines[next], codes);
         benchmark::DoNotOptimize(words);
         next = next + 1 == lines.size() ? 0 : next + 1;
     }
