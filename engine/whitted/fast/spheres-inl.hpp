@@ -219,9 +219,9 @@ HWY_INLINE SphereHit nearest_sphere(const Scene& scene, Approaching& ray, Ints o
         if constexpr (moves) {
             if (none(nearer))
                 continue;
-            const Reached to = point_at(scene, origin, ray.direction, distance);
-            hit.lost = either(hit.lost, both(nearer, to.lost));
-            ray = approaching(scene, choose(nearer, to.point, ray.from), ray.direction);
+            const Reached reached = point_at(scene, origin, ray.direction, distance);
+            hit.lost = either(hit.lost, both(nearer, reached.lost));
+            ray = approaching(scene, choose(nearer, reached.point, ray.from), ray.direction);
         }
     }
     if constexpr (R::counts)
