@@ -240,7 +240,6 @@ PROBES = {
     "a mount": "mount -t tmpfs none /tmp && umount /tmp",
     "a namespace": "unshare -U true",
     "the clock": "date -s \"$(date)\"",
-    "another's process": "ls /proc/1",
 }
 ALLOWED = {
     "the registers": "true <> /dev/raymarch",
