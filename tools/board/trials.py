@@ -148,6 +148,22 @@ def wait_for_words(board: Board, wanted: list[int]) -> None:
         time.sleep(0.01)
 
 
+def show(board: Board, line: str) -> None:
+    """Until the picture is that of the line."""
+    player = board.player
+    assert player
+    wanted = [f"{word:08X}" for word in board.words_of(line)]
+    reply = board.machine.ask(line)
+    check(reply.startswith("OK"), f"{line}: {reply}")
+    player.wait("the words", lambda: player.words == wanted)
+    rendered = board.machine.folder / "rendered.png"
+    board.tool("render", "--registers", *wanted, "--size", "160x120", "-o", str(rendered))
+    end = time.monotonic() + PATIENCE_S
+    while not board.picture.exists() or board.picture.read_bytes() != rendered.read_bytes():
+        check(time.monotonic() < end, f"{line}: the picture is another one")
+        time.sleep(0.05)
+
+
 def pictures(board: Board) -> str:
     """From text on a UART to a picture, with a real kernel between."""
     player = board.player
@@ -155,20 +171,13 @@ def pictures(board: Board) -> str:
     line = board.machine.run("grep raymarch /proc/interrupts").split()
     number, before = line[0].rstrip(":"), int(line[1])
     player.raise_through(f"/sys/kernel/debug/irq/irqs/{number}")
-    rendered = board.machine.folder / "rendered.png"
+    show(board, FRAMES[-1])  # whatever was there: from here on each frame is a new one
     drawn_before = int(board.status()["frames"])
     for line in FRAMES:
-        wanted = [f"{word:08X}" for word in board.words_of(line)]
-        reply = board.machine.ask(line)
-        check(reply.startswith("OK"), f"{line}: {reply}")
-        player.wait("the words", lambda wanted=wanted: player.words == wanted)
-        board.tool("render", "--registers", *wanted, "--size", "160x120", "-o", str(rendered))
-        end = time.monotonic() + PATIENCE_S
-        while not board.picture.exists() or board.picture.read_bytes() != rendered.read_bytes():
-            check(time.monotonic() < end, f"{line}: the picture is another one")
-            time.sleep(0.05)
-    drawn = int(board.status()["frames"]) - drawn_before
-    check(drawn >= len(FRAMES), f"FRAMES counted {drawn}")
+        show(board, line)
+    end = time.monotonic() + PATIENCE_S
+    while (drawn := int(board.status()["frames"]) - drawn_before) < len(FRAMES):
+        check(time.monotonic() < end, f"FRAMES counted {drawn}")
     after = int(board.machine.run("grep raymarch /proc/interrupts").split()[1])
     check(after > before, "no interrupt came")
     return f"{len(FRAMES)} pictures as raymarchctl draws them, FRAMES {drawn}, interrupts {after - before}"
