@@ -332,8 +332,9 @@ def absent(board: Board) -> str:
     check(board.status()["hardware"] == "absent", "an unknown kind is taken")
     board.play()
     board.wait_for_status("hardware", "ok")
-    wait_for_words(board, board.words_of(FRAMES[2]))
-    return "absent, then of an unknown kind, then there: the state of meanwhile in the registers"
+    present = board.machine.ask("GET").removeprefix("OK ")
+    wait_for_words(board, board.words_of(present))
+    return "absent, then of an unknown kind, then there: the present state in the registers"
 
 
 def power_cuts(board: Board) -> str:
