@@ -97,7 +97,7 @@ class Machine:
         for name in ("console", "serial"):
             (self.folder / name).unlink(missing_ok=True)
         boot = (f"console=ttyPS0,115200 root=/dev/mmcblk0 rw rootwait mem={LINUX_MEMORY} panic=-1 quiet "
-                f"systemd.show_status=false {arguments}")
+                f"systemd.show_status=false systemd.default_timeout_start_sec={PATIENCE_S} {arguments}")
         self.started = time.monotonic()
         with (self.folder / "qemu.log").open("ab") as log:
             self.process = subprocess.Popen([*self._command, "-append", boot],
