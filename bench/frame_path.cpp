@@ -137,6 +137,7 @@ struct PlainBoard final : daemon::Board
     std::unique_ptr<drivers::MappedWindow> page = register_page();
     Result<daemon::RegisterPath> path = daemon::RegisterPath::probe(*page, accelerator);
     daemon::Applied apply(const Words& words) override { return path->apply(words); }
+    daemon::Health health() override { return {}; }
     bool use(const Accelerator&) override { return false; }
 };
 struct NoStorage final : daemon::Storage

@@ -14,10 +14,12 @@ from pathlib import Path
 from typing import Any
 
 import command_section
+import engine_section
 import terminal_section
 from report import Row, load, print_rows, processor
 
 SECTIONS: dict[str, Callable[[Path, bool], list[Row]]] = {
+    "engine": engine_section.rows,
     "command": command_section.rows,
     "terminal": terminal_section.rows,
 }

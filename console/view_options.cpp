@@ -41,14 +41,12 @@ Result<protocol::State> state_of_line(const protocol::Accelerator& accelerator,
     return state;
 }
 
-/// The defaults, changed by `settings` in the syntax of SET.
-Result<protocol::State> changed_defaults(const protocol::Accelerator& accelerator,
-                                         std::optional<std::string_view> settings)
+/// `state`, changed by `settings` in the syntax of SET.
+Result<protocol::State> changed(const protocol::Accelerator& accelerator, protocol::State state,
+                                std::string_view settings)
 {
-    protocol::State state = protocol::initial_state(accelerator);
-    if (settings)
-        if (const auto changed = change(accelerator, *settings, state); !changed)
-            return fail(changed.error());
+    if (const auto done = change(accelerator, settings, state); !done)
+        return fail(done.error());
     return state;
 }
 
@@ -58,7 +56,7 @@ Result<protocol::State> state_of_preset(const protocol::Accelerator& accelerator
     std::string names;
     for (const protocol::Preset& preset : accelerator.presets) {
         if (protocol::equal_ignoring_case(preset.name, name))
-            return changed_defaults(accelerator, preset.settings);
+            return changed(accelerator, protocol::initial_state(accelerator), preset.settings);
         names += fmt::format("{}{}", names.empty() ? "" : ", ", preset.name);
     }
     return fail(
@@ -102,15 +100,22 @@ CLI::Option_group& add_view_options(CLI::App& command, ViewOptions& options)
 {
     CLI::Option_group* const what =
         command.add_option_group("what to draw", "(default: the accelerator's defaults)");
-    what->add_option("--line", options.line, "a parameter frame")->type_name("LINE");
-    what->add_option("--registers", options.words, "all parameter words, in hex, word 0 first")
-        ->type_name("WORD")
-        ->expected(1, static_cast<int>(protocol::max_parameter_words));
-    what->add_option("--set", options.settings, "changes to the defaults")
-        ->type_name("KEY=VALUE,...");
-    what->add_option("--preset", options.preset, "a view worth looking at")->type_name("NAME");
-    what->add_option("--scene", options.scene, "the defaults in this scene")->type_name("NAME");
-    what->require_option(0, 1);
+    CLI::Option* const registers =
+        what->add_option("--registers", options.words, "all parameter words, in hex, word 0 first")
+            ->type_name("WORD")
+            ->expected(1, static_cast<int>(protocol::max_parameter_words));
+    CLI::Option* const line =
+        what->add_option("--line", options.line, "a parameter frame")->type_name("LINE");
+    CLI::Option* const preset =
+        what->add_option("--preset", options.preset, "a view worth looking at")->type_name("NAME");
+    CLI::Option* const scene =
+        what->add_option("--scene", options.scene, "the defaults in this scene")->type_name("NAME");
+    what->add_option("--set", options.settings, "changes to that, or to the defaults")
+        ->type_name("KEY=VALUE,...")
+        ->excludes(registers);
+    registers->excludes(line, preset, scene);
+    line->excludes(preset, scene);
+    preset->excludes(scene);
     add_accelerator_option(command, options.accelerator, "which one");
     command.add_option("--size", options.size, "of the picture (default: the accelerator's)")
         ->type_name("WxH");
@@ -126,10 +131,13 @@ Result<protocol::State> state_of(const protocol::Accelerator& accelerator,
             return fail(words.error());
         return protocol::unpack(accelerator, *words);
     }
-    return options.line     ? state_of_line(accelerator, *options.line)
-           : options.preset ? state_of_preset(accelerator, *options.preset)
-           : options.scene  ? state_of_scene(accelerator, *options.scene)
-                            : changed_defaults(accelerator, options.settings);
+    auto state = options.line     ? state_of_line(accelerator, *options.line)
+                 : options.preset ? state_of_preset(accelerator, *options.preset)
+                 : options.scene  ? state_of_scene(accelerator, *options.scene)
+                                  : protocol::initial_state(accelerator);
+    if (state && options.settings)
+        return changed(accelerator, *state, *options.settings);
+    return state;
 }
 
 Result<protocol::Words> words_of(const protocol::Accelerator& accelerator,

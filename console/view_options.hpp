@@ -18,7 +18,8 @@
 namespace raymarch::console
 {
 
-/// At most one of line, words, settings, preset and scene is given; none: the defaults.
+/// At most one of line, words, preset and scene is given; none: the defaults. Settings change what
+/// is given, but for words.
 struct ViewOptions
 {
     std::string accelerator{protocol::default_accelerator.name};

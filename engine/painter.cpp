@@ -40,6 +40,16 @@ void draw_by_reference(const Drawing& drawing, const Region& region, const Canva
             canvas.costs.subspan(width * y, width));
 }
 
+/// Looks a few times before it sleeps: pictures follow one another within microseconds, and to be
+/// woken takes tens of them.
+void wait_for_change(const std::atomic<unsigned>& value, unsigned from) noexcept
+{
+    constexpr int looks = 100;
+    for (int i = 0; i < looks && value == from; ++i)
+        std::this_thread::yield();
+    value.wait(from);
+}
+
 } // namespace
 
 Painter::Painter(unsigned threads)
@@ -47,7 +57,7 @@ Painter::Painter(unsigned threads)
     if (threads == 0)
         threads = std::max(1U, std::thread::hardware_concurrency());
     for (unsigned i = 1; i < threads; ++i)
-        helpers_.emplace_back([this] { help(0); });
+        helpers_.emplace_back([this] { help(); });
 }
 
 Painter::~Painter()
@@ -78,17 +88,19 @@ void Painter::draw(const Drawing& drawing, const Region& region, const Canvas& c
     });
 }
 
+/// A helper that wakes up late is not waited for: it finds the job shut.
 void Painter::share(unsigned parts, const std::function<void(unsigned)>& work)
 {
     work_ = &work;
     parts_ = parts;
     next_ = 0;
-    busy_ = static_cast<unsigned>(helpers_.size());
+    inside_ &= ~shut;
     ++round_;
     round_.notify_all();
     take_parts();
-    for (unsigned busy = busy_; busy != 0; busy = busy_)
-        busy_.wait(busy);
+    inside_ |= shut;
+    for (unsigned inside = inside_; inside != shut; inside = inside_)
+        wait_for_change(inside_, inside);
 }
 
 /// Parts differ in cost, so each thread takes the next one that is free.
@@ -98,16 +110,17 @@ void Painter::take_parts()
         (*work_)(part);
 }
 
-void Painter::help(unsigned seen)
+void Painter::help()
 {
-    for (;;) {
-        round_.wait(seen);
+    for (unsigned seen = 0;;) {
+        wait_for_change(round_, seen);
         seen = round_;
         if (closing_)
             return;
-        take_parts();
-        if (--busy_ == 0)
-            busy_.notify_one();
+        if ((inside_++ & shut) == 0)
+            take_parts();
+        if (--inside_ == shut)
+            inside_.notify_one();
     }
 }
 

@@ -45,19 +45,21 @@ class Painter
               const std::stop_token& stop = {});
 
   private:
-    /// Calls work(0) to work(parts - 1), each once, from all threads.
+    static constexpr unsigned shut = 1U << 31;
+
+    /// Calls work(0) to work(parts - 1), each once, from all threads that are awake in time.
     void share(unsigned parts, const std::function<void(unsigned)>& work);
     void take_parts();
-    void help(unsigned seen);
+    void help();
 
     std::vector<PixelCost> unwanted_; ///< costs of the reference that nobody asked for
 
-    // One job: set before `round_` is raised, kept until no helper is busy.
+    // One job: set before it is opened, kept until it is shut and no helper is in it.
     const std::function<void(unsigned)>* work_ = nullptr;
     unsigned parts_ = 0;
     std::atomic<unsigned> next_ = 0;
-    std::atomic<unsigned> busy_ = 0;
-    std::atomic<unsigned> round_ = 0;
+    std::atomic<unsigned> inside_ = shut; ///< helpers in the job; with `shut`: nobody may enter
+    std::atomic<unsigned> round_ = 0;     ///< counts jobs: what helpers wait for
     std::atomic<bool> closing_ = false;
     std::vector<std::jthread> helpers_; ///< last: they use all of the above
 };

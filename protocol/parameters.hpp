@@ -246,6 +246,7 @@ struct Accelerator
     std::span<const Preset> presets;
     std::optional<OrbitCamera> camera;
     std::optional<Colour> colour;
+    std::optional<ParameterIndex> scene; ///< the choice of scenes
 };
 
 /// The index of `key` (any case), looked for first at `guess`: keys mostly come in table order.

@@ -89,6 +89,7 @@ inline constexpr Accelerator description = {
     .presets = presets,
     .camera = std::nullopt,
     .colour = std::nullopt,
+    .scene = SCENE,
 };
 
 } // namespace raymarch::protocol::fractal

@@ -181,6 +181,7 @@ inline constexpr Accelerator description = {
     .presets = presets,
     .camera = std::nullopt,
     .colour = std::nullopt,
+    .scene = std::nullopt,
 };
 
 } // namespace raymarch::protocol::mandelbulb

@@ -79,6 +79,7 @@ inline constexpr Accelerator description = {
     .camera =
         OrbitCamera{.forward = {FX, FY, FZ}, .right = {RX, RY, RZ}, .up = {UX, UY, UZ}, .zoom = ZM},
     .colour = Colour{{R, G, B}},
+    .scene = OBJ,
 };
 
 } // namespace raymarch::protocol::marcher

@@ -122,6 +122,24 @@ TEST(Tool, RenderDrawsTheSamePictureInEveryWay)
                                std::string(picture.substr(3 * (21 * 63 + 30), 9)));
 }
 
+TEST(Tool, SettingsChangeAPreset)
+{
+    const TemporaryFolder folder;
+    const auto drawn = [&](const std::vector<std::string>& view) {
+        std::vector<std::string> arguments = {"render", "--size", "20x15", "-o", "-"};
+        arguments.insert(arguments.end(), view.begin(), view.end());
+        return run_tool(folder, arguments);
+    };
+    const Finished changed = drawn({"--preset", "tunnel", "--set", "OBJ=cube"});
+    ASSERT_EQ(changed.status, EX_OK) << changed.errors;
+    EXPECT_NE(changed.output, drawn({"--preset", "tunnel"}).output);
+    EXPECT_NE(changed.output, drawn({"--set", "OBJ=cube"}).output);
+    EXPECT_EQ(drawn({"--scene", "cube", "--set", "ZM=3"}).output,
+              drawn({"--set", "OBJ=cube,ZM=3"}).output);
+    EXPECT_EQ(drawn({"--scene", "cube", "--preset", "tunnel"}).status, EX_USAGE);
+    EXPECT_EQ(drawn({"--registers", "0", "--set", "ZM=3"}).status, EX_USAGE);
+}
+
 TEST(Tool, RenderRefusesBeforeItDraws)
 {
     const TemporaryFolder folder;
