@@ -38,6 +38,8 @@ class UniqueFd
     }
 
     [[nodiscard]] int get() const noexcept { return fd_; }
+    /// Gives the descriptor away, to be closed by whoever takes it.
+    [[nodiscard]] int release() noexcept { return std::exchange(fd_, -1); }
     [[nodiscard]] explicit operator bool() const noexcept { return fd_ >= 0; }
 
   private:

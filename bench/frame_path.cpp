@@ -4,6 +4,7 @@
 ///
 /// frame_path.py answers the same for the way of the source's script, with the same frames. Beside
 /// the frame: the whole session (basis check, read-back, reply), other orders, chunks and numbers.
+#include "bench/bench_frames.hpp"
 #include "daemon/register_path.hpp"
 #include "daemon/session.hpp"
 #include "drivers/mapped_window.hpp"
@@ -19,14 +20,10 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <numeric>
-#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,12 +33,10 @@ namespace
 
 using namespace raymarch;           // NOLINT(google-build-using-namespace)
 using namespace raymarch::protocol; // NOLINT(google-build-using-namespace)
+using namespace raymarch::bench;    // NOLINT(google-build-using-namespace)
 
 const Accelerator& accelerator = marcher::description;
 const Parameter& zoom = marcher::parameters[marcher::ZM];
-
-/// A round of frames; many different ones, so that the branch predictor does not learn one line.
-using Frames = std::vector<std::string>;
 
 [[noreturn]] void give_up(const std::string& message)
 {
@@ -49,51 +44,30 @@ using Frames = std::vector<std::string>;
     std::exit(EXIT_FAILURE);
 }
 
-Frames read_frames()
+/// With their endings.
+Frames with_endings(Frames frames)
 {
-    Frames frames;
-    std::ifstream file(RAYMARCH_BENCH_FRAMES);
-    for (std::string line; std::getline(file, line);)
-        if (!line.starts_with('#'))
-            frames.push_back(line + "\r\n");
-    if (frames.empty())
-        give_up("no frames in " RAYMARCH_BENCH_FRAMES);
+    for (std::string& frame : frames)
+        frame += "\r\n";
     return frames;
 }
 
 const Frames& mixed_frames()
 {
-    static const Frames frames = read_frames();
+    static const Frames frames = with_endings(read_frames(RAYMARCH_BENCH_FRAMES));
     return frames;
 }
 
 /// The one frame of the source's listing, over and over.
 Frames first_frame()
 {
-    return {mixed_frames().front()};
+    return {read_frames(RAYMARCH_BENCH_FRAMES).front() + "\r\n"};
 }
 
 /// The same frames, each with its pairs in an order of its own.
 Frames shuffled_frames()
 {
-    std::mt19937 random(17); // NOLINT(cert-msc32-c,cert-msc51-cpp): the same order in every run
-    Frames shuffled;
-    for (const std::string& frame : mixed_frames()) {
-        std::vector<std::string> pairs;
-        Text rest{.bytes = std::string_view(frame).substr(0, frame.size() - 2)};
-        for (bool more = true; more;) {
-            const Piece pair = take_until(rest, ',');
-            more = pair.found;
-            pairs.emplace_back(pair.text.bytes);
-        }
-        std::ranges::shuffle(pairs, random);
-        const auto join = [](std::string line, const std::string& pair) {
-            return std::move(line) + ',' + pair;
-        };
-        shuffled.push_back(std::accumulate(pairs.begin() + 1, pairs.end(), pairs.front(), join) +
-                           "\r\n");
-    }
-    return shuffled;
+    return with_endings(shuffled(read_frames(RAYMARCH_BENCH_FRAMES)));
 }
 
 /// A register page in a file that has no name any more.
@@ -116,12 +90,11 @@ void store(drivers::RegisterBus& page, const Words& words)
         page.write({static_cast<std::uint16_t>(accelerator.first_word_offset + 4 * i)}, words[i]);
 }
 
-/// All lines that `bytes` ends.
-void take(LineReader& reader, std::string_view bytes, drivers::RegisterBus& page)
+/// All lines that `bytes` ends, over what `state` holds.
+void take(LineReader& reader, std::string_view bytes, State& state, drivers::RegisterBus& page)
 {
     while (const auto line = reader.next(bytes)) {
         const Request request = read_request(*line, false);
-        State state;
         if (request.kind != Request::Kind::Frame || read_frame(accelerator, request.text, state))
             give_up("refused: " + std::string(line->bytes));
         store(page, pack(accelerator, state));
@@ -133,6 +106,7 @@ void run_frames(benchmark::State& state, const Frames& frames, std::size_t chunk
 {
     const auto page = register_page();
     LineReader reader;
+    State codes(accelerator.parameters.size());
     std::size_t next = 0;
     for ([[maybe_unused]] auto _ : state) {
         std::string_view frame = frames[next];
@@ -140,7 +114,7 @@ void run_frames(benchmark::State& state, const Frames& frames, std::size_t chunk
         while (!frame.empty()) {
             const std::string_view piece = frame.substr(0, chunk);
             frame.remove_prefix(piece.size());
-            take(reader, piece, *page);
+            take(reader, piece, codes, *page);
         }
         benchmark::ClobberMemory();
         next = next + 1 == frames.size() ? 0 : next + 1;
@@ -163,6 +137,7 @@ struct PlainBoard final : daemon::Board
     std::unique_ptr<drivers::MappedWindow> page = register_page();
     Result<daemon::RegisterPath> path = daemon::RegisterPath::probe(*page, accelerator);
     daemon::Applied apply(const Words& words) override { return path->apply(words); }
+    daemon::Health health() override { return {}; }
     bool use(const Accelerator&) override { return false; }
 };
 struct NoStorage final : daemon::Storage
@@ -214,7 +189,7 @@ void get(benchmark::State& state)
 {
     std::vector<State> states;
     for (const std::string& frame : mixed_frames()) {
-        State& read = states.emplace_back();
+        State& read = states.emplace_back(accelerator.parameters.size());
         const std::string_view text = std::string_view(frame).substr(0, frame.size() - 2);
         if (read_frame(accelerator, {.bytes = text}, read))
             give_up("refused: " + frame);

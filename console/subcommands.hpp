@@ -29,6 +29,7 @@ void add_console(CLI::App& app, Run& run);
 void add_status(CLI::App& app, Run& run);
 void add_watch(CLI::App& app, Run& run);
 void add_conformance(CLI::App& app, Run& run);
+void add_overlay(CLI::App& app, Run& run);
 
 /// An ERR reply came.
 inline constexpr int status_err_reply = 1;

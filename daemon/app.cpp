@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/app.hpp"
 
+#include "drivers/device_tree_overlay.hpp"
+#include "drivers/fpga_manager.hpp"
+#include "drivers/logic_loader.hpp"
 #include "drivers/pseudo_terminal.hpp"
 #include "drivers/serial_port.hpp"
 
 #include <sys/epoll.h>
 #include <systemd/sd-daemon.h>
 
+#include <algorithm>
 #include <csignal>
 #include <random>
 #include <utility>
@@ -29,6 +33,15 @@ std::uint64_t random_seed()
 {
     std::random_device device;
     return std::uint64_t{device()} << 32 | device();
+}
+
+/// What the FPGA manager says, as one word.
+std::string logic_state(const drivers::KernelTree& tree)
+{
+    const auto manager = drivers::find_fpga_manager(tree);
+    std::string state = manager ? manager->state : "none";
+    std::ranges::replace(state, ' ', '_');
+    return state;
 }
 
 using PortResult = Result<std::unique_ptr<drivers::BytePort>>;
@@ -56,6 +69,7 @@ App::App(Config config, Reload reload, EventLoop& loop)
     , animate_timer_(loop.add_timer([this] { animate(); }))
     , hardware_(config_, loop, [this] { controller_.board_is_back(hardware_.accelerator()); })
     , controller_(*config_.accelerator, policy_of(config_), hardware_, *this, *this, random_seed())
+    , panel_(config_.gpio, loop, controller_, hardware_, drivers::open_gpio_line)
     , retry_serial_(loop.add_timer([this] { open_serial(); }))
     , retry_control_(loop.add_timer([this] { open_control(); }))
 {
@@ -79,6 +93,7 @@ Result<void> App::run()
     restore_state(); // before the hardware, which asks for the state as soon as it is found
     hardware_.start();
     open_serial();
+    panel_.start();
     open_control();
     if (loop_.feed_watchdog())
         log::info("the watchdog is fed from the event loop");
@@ -272,8 +287,11 @@ void App::write_status(protocol::ReplyWriter& reply)
     if (serial_)
         reply << " hang_ups=" << serial_->session().hang_ups();
     hardware_.write_status(reply);
-    reply << " overlay=unknown clients=" << std::uint64_t{clients_.size()}
-          << " dropped_replies=" << dropped
+    panel_.write_status(reply);
+    const drivers::KernelTree tree(config_.sysfs_root);
+    reply << " logic=" << logic_state(tree)
+          << " overlay=" << to_text(overlay_state(tree, drivers::overlay_name))
+          << " clients=" << std::uint64_t{clients_.size()} << " dropped_replies=" << dropped
           << " uptime=" << static_cast<std::uint64_t>(uptime.count());
 }
 

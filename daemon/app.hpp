@@ -10,6 +10,7 @@
 #include "daemon/endpoint.hpp"
 #include "daemon/event_loop.hpp"
 #include "daemon/hardware.hpp"
+#include "daemon/panel.hpp"
 #include "daemon/state_store.hpp"
 #include "drivers/unix_socket.hpp"
 
@@ -70,6 +71,8 @@ class App final : public Storage, public StatusSource
 
     Hardware hardware_;
     Controller controller_; ///< borrows hardware_ and, as Storage and StatusSource, the App
+
+    Panel panel_; ///< borrows controller_ and hardware_
 
     std::optional<Endpoint> serial_;
     std::uint64_t dropped_before_ = 0; ///< by connections that are gone

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/config.hpp"
 
+#include "daemon/actions.hpp"
+#include "daemon/movement.hpp"
 #include "drivers/atomic_file.hpp"
 #include "drivers/serial_port.hpp"
 #include "drivers/unix_socket.hpp"
@@ -58,7 +60,7 @@ Result<void> set_registers(Config& config, std::string_view text)
     else if (const auto name = behind(text, "uio-name:"))
         config.registers = UioName{*name};
     else if (const auto device = behind(text, "uio:"))
-        config.registers = UioDevice{*device};
+        config.registers = UioNode{*device};
     else if (const auto path = behind(text, "file:"))
         config.registers = RegisterFile{*path};
     else
@@ -87,12 +89,52 @@ Result<void> set_serial(Config& config, std::string_view text)
     return {};
 }
 
-/// Only `none` until there is a driver for real lines.
-Result<void> set_gpio(Config& /*config*/, std::string_view text)
+/// One of `names` to the enumerator of the same position.
+template <typename Enum, std::size_t N>
+Result<void> set_choice(Enum& target, std::string_view text,
+                        const std::array<std::string_view, N>& names, std::string_view allowed)
 {
-    if (text != "none")
-        return fail(refuse(text, "none"));
+    for (std::size_t i = 0; i < N; ++i) {
+        if (names[i] == text) {
+            target = static_cast<Enum>(i);
+            return {};
+        }
+    }
+    return fail(refuse(text, allowed));
+}
+
+Result<void> set_gpio(Config& config, std::string_view text)
+{
+    return set_choice<bool, 2>(config.gpio.used, text, {"none", "lines"}, "lines or none");
+}
+
+Result<void> set_gpio_debounce(Config& config, std::string_view text)
+{
+    constexpr unsigned longest = 1000;
+    const auto milliseconds = number(text);
+    if (!milliseconds || *milliseconds > longest)
+        return fail(refuse(text, fmt::format("a number of milliseconds, 0 to {}", longest)));
+    config.gpio.debounce = std::chrono::milliseconds(*milliseconds);
     return {};
+}
+
+Result<void> set_rate(unsigned& target, std::string_view text)
+{
+    const auto rate = number(text);
+    if (!rate || *rate < 1 || *rate > most_rate)
+        return fail(refuse(text, fmt::format("a number of steps a second, 1 to {}", most_rate)));
+    target = *rate;
+    return {};
+}
+
+Result<void> set_gpio_orbit_rate(Config& config, std::string_view text)
+{
+    return set_rate(config.gpio.orbit_rate, text);
+}
+
+Result<void> set_gpio_turn_rate(Config& config, std::string_view text)
+{
+    return set_rate(config.gpio.turn_rate, text);
 }
 
 /// A path into `target`; `none` empties it.
@@ -124,6 +166,14 @@ Result<void> set_preview(Config& config, std::string_view text)
     return set_path(config.preview, text);
 }
 
+Result<void> set_sysfs_root(Config& config, std::string_view text)
+{
+    if (!text.starts_with('/'))
+        return fail(refuse(text, "a path from / on"));
+    config.sysfs_root = text;
+    return {};
+}
+
 Result<void> set_log_level(Config& config, std::string_view text)
 {
     const auto level = log::level_named(text);
@@ -143,20 +193,6 @@ Result<void> set_accelerator(Config& config, std::string_view text)
         return fail(refuse(text, "an accelerator: " + names));
     }
     return {};
-}
-
-/// One of `names` to the enumerator of the same position.
-template <typename Enum, std::size_t N>
-Result<void> set_choice(Enum& target, std::string_view text,
-                        const std::array<std::string_view, N>& names, std::string_view allowed)
-{
-    for (std::size_t i = 0; i < N; ++i) {
-        if (names[i] == text) {
-            target = static_cast<Enum>(i);
-            return {};
-        }
-    }
-    return fail(refuse(text, allowed));
 }
 
 Result<void> set_basis_check(Config& config, std::string_view text)
@@ -212,10 +248,14 @@ constexpr std::array table = {
     Setting{"accelerator",      "NAME",                       default_name,               "the accelerator of a block that does not tell its kind, and of the emulated one", set_accelerator},
     Setting{"registers",        registers_values,             "auto",                     "the register block; auto is the UIO device named raymarch where there is one, else emulated", set_registers},
     Setting{"serial",           serial_values,                "/dev/ttyPS0@115200",       "the serial host; pty makes a pseudo-terminal and a link to it", set_serial},
-    Setting{"gpio",             "none",                       "none",                     "buttons, switches and LEDs", set_gpio},
+    Setting{"gpio",             "lines|none",                 "lines",                    "buttons, switches and LEDs; lines are those of the table gpio_lines", set_gpio},
+    Setting{"gpio_debounce",    "MS",                         "10",                       "milliseconds that a button's level has to last before it counts", set_gpio_debounce},
+    Setting{"gpio_orbit_rate",  "N",                          "20",                       "steps a second while orbit_left or orbit_right is held", set_gpio_orbit_rate},
+    Setting{"gpio_turn_rate",   "N",                          "5",                        "steps a second while the switch turn is on", set_gpio_turn_rate},
     Setting{"state",            "FILE|none",                  "/var/lib/raymarchd/state", "where the state is kept over a restart", set_state},
     Setting{"control",          "SOCKET|none",                "/run/raymarchd/control",   "local socket that speaks the serial protocol", set_control},
     Setting{"preview",          "FILE.png|none",              "none",                     "the latest picture of the emulated accelerator, replaced whole", set_preview},
+    Setting{"sysfs_root",       "PATH",                       "/sys",                     "what stands in for /sys, so that a folder can play the kernel; UIO devices are in the dev beside it", set_sysfs_root},
     Setting{"log_level",        "error|warning|notice|info|debug", "notice",              "what is logged", set_log_level},
     Setting{"basis_check",      "off|warn|reject",            "warn",                     "what is done about a camera basis that no camera has", set_basis_check},
     Setting{"replies",          "all|errors|none",            "all",                      "which replies are sent", set_replies},
@@ -238,6 +278,22 @@ std::optional<std::string> as_text(const toml::node& node)
     return std::nullopt;
 }
 
+/// One `key = value` of the file, given to `apply`.
+Result<void> read_entry(const toml::key& key, const toml::node& node, const std::string& path,
+                        Config& config,
+                        Result<void> (*apply)(Config&, std::string_view, std::string_view))
+{
+    const auto text = as_text(node);
+    auto result = text ? apply(config, key.str(), *text)
+                       : Result<void>(fail(plain_error(
+                             ErrorKind::Config,
+                             fmt::format("{} takes a string, a number or a boolean", key.str()))));
+    if (!result)
+        result.error().message =
+            fmt::format("{}:{}: {}", path, key.source().begin.line, result.error().message);
+    return result;
+}
+
 } // namespace
 
 std::span<const Setting> settings() noexcept
@@ -250,6 +306,8 @@ Config default_config()
     Config config;
     for (const Setting& setting : table)
         static_cast<void>(setting.set(config, setting.initial)); // a test proves that each is taken
+    for (const Action& action : actions())
+        config.gpio.lines.push_back(drivers::parse_line_spec(action.line)); // and that each is one
     return config;
 }
 
@@ -266,8 +324,54 @@ Result<void> set(Config& config, std::string_view name, std::string_view text)
     return fail(plain_error(ErrorKind::Config, fmt::format("there is no setting '{}'", name)));
 }
 
+Result<void> set_line(Config& config, std::string_view action, std::string_view text)
+{
+    std::string names;
+    for (std::size_t i = 0; i < actions().size(); ++i) {
+        const Action& row = actions()[i];
+        names += (names.empty() ? "" : ", ") + std::string(row.name);
+        if (row.name != action)
+            continue;
+        const auto spec = drivers::parse_line_spec(text);
+        const auto refused = [&](std::string_view allowed) {
+            Error error = refuse(text, allowed);
+            error.message = fmt::format("{}.{}: {}", lines_table, action, error.message);
+            return fail(std::move(error));
+        };
+        if (text != "none" && !spec)
+            return refused(fmt::format("none or {}", line_values));
+        if (text != "none" && row.kind == ActionKind::Led && spec->pull != drivers::Pull::AsIs)
+            return refused("for an LED, which has no pull");
+        config.gpio.lines[i] = text == "none" ? std::nullopt : spec;
+        return {};
+    }
+    return fail(plain_error(ErrorKind::Config, fmt::format("{}: unknown action '{}'; there are {}",
+                                                           lines_table, action, names)));
+}
+
+namespace
+{
+
+/// A line can be requested once.
+Result<void> validate_lines(const Gpio& gpio)
+{
+    for (std::size_t i = 0; i < gpio.lines.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (gpio.lines[i] && gpio.lines[j] &&
+                gpio.lines[i]->places.front() == gpio.lines[j]->places.front())
+                return fail(plain_error(ErrorKind::Config,
+                                        fmt::format("{}: {} and {} are both {}", lines_table,
+                                                    actions()[j].name, actions()[i].name,
+                                                    to_string(gpio.lines[i]->places.front()))));
+    return {};
+}
+
+} // namespace
+
 Result<void> validate(const Config& config)
 {
+    if (auto lines = validate_lines(config.gpio); !lines)
+        return lines;
     const bool may_draw = std::holds_alternative<EmulatedRegisters>(config.registers) ||
                           std::holds_alternative<AutoRegisters>(config.registers);
     if (!config.preview.empty() && !may_draw)
@@ -295,15 +399,18 @@ Result<void> read_config_file(Config& config, const std::string& path)
                                 fmt::format("{}:{}: {}", path, parsed.error().source().begin.line,
                                             parsed.error().description())));
     for (const auto& [key, node] : parsed.table()) {
-        const auto line = key.source().begin.line;
-        const auto text = as_text(node);
-        if (!text)
-            return fail(plain_error(ErrorKind::Config,
-                                    fmt::format("{}:{}: {} takes a string, a number or a boolean",
-                                                path, line, key.str())));
-        if (auto result = set(config, key.str(), *text); !result)
-            return fail(plain_error(ErrorKind::Config,
-                                    fmt::format("{}:{}: {}", path, line, result.error().message)));
+        if (key.str() != lines_table) {
+            if (auto result = read_entry(key, node, path, config, set); !result)
+                return result;
+            continue;
+        }
+        if (!node.is_table())
+            return fail(plain_error(ErrorKind::Config, fmt::format("{}:{}: {} is a table, [{}]",
+                                                                   path, key.source().begin.line,
+                                                                   lines_table, lines_table)));
+        for (const auto& [action, line] : *node.as_table())
+            if (auto result = read_entry(action, line, path, config, set_line); !result)
+                return result;
     }
     return {};
 }

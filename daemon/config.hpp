@@ -6,14 +6,18 @@
 
 #include "base/log.hpp"
 #include "base/result.hpp"
+#include "drivers/line_spec.hpp"
 #include "emulation/emulated_block.hpp"
 #include "protocol/parameters.hpp"
 
+#include <chrono>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace raymarch::daemon
 {
@@ -21,7 +25,7 @@ namespace raymarch::daemon
 /// Where the register block is.
 struct AutoRegisters
 {}; ///< the UIO device named raymarch where there is one, else emulated
-struct UioDevice
+struct UioNode
 {
     std::string path;
 };
@@ -36,7 +40,7 @@ struct RegisterFile
 struct EmulatedRegisters
 {};
 using RegistersWhere =
-    std::variant<AutoRegisters, UioDevice, UioName, RegisterFile, EmulatedRegisters>;
+    std::variant<AutoRegisters, UioNode, UioName, RegisterFile, EmulatedRegisters>;
 
 /// Where the serial host is.
 struct NoSerial
@@ -55,6 +59,16 @@ using SerialWhere = std::variant<NoSerial, SerialDevice, PseudoTerminalLink>;
 enum class BasisCheck : std::uint8_t { Off, Warn, Reject };
 enum class Replies : std::uint8_t { All, Errors, None };
 
+/// Buttons, switches and LEDs.
+struct Gpio
+{
+    bool used = true;
+    std::chrono::milliseconds debounce{};
+    unsigned orbit_rate = 0; ///< steps a second while a button of orbit is held
+    unsigned turn_rate = 0;  ///< the same of the switch `turn`
+    std::vector<std::optional<drivers::LineSpec>> lines; ///< of each action, in the table's order
+};
+
 struct Config
 {
     RegistersWhere registers;
@@ -62,12 +76,14 @@ struct Config
     std::string state;   ///< empty: none
     std::string control; ///< empty: none
     std::string preview; ///< empty: none
+    std::string sysfs_root;
     log::Level log_level = log::Level::Notice;
     const protocol::Accelerator* accelerator = nullptr;
     BasisCheck basis_check = BasisCheck::Warn;
     Replies replies = Replies::All;
     bool require_checksum = false;
     emulation::EmulatedOptions emulated;
+    Gpio gpio;
 };
 
 /// One setting. `name` is its key in the file and, with dashes, its option on the command line.
@@ -86,6 +102,15 @@ struct Setting
 
 /// Applies one setting. Errors: Config, naming what is allowed.
 [[nodiscard]] Result<void> set(Config& config, std::string_view name, std::string_view text);
+
+/// The table of the file that gives the actions of daemon/actions.hpp their lines.
+inline constexpr std::string_view lines_table = "gpio_lines";
+
+/// What each of them takes, besides `none`.
+inline constexpr std::string_view line_values = drivers::line_spec_syntax;
+
+/// Gives one action its line; `none` takes it away. Errors: Config, naming what is allowed.
+[[nodiscard]] Result<void> set_line(Config& config, std::string_view action, std::string_view text);
 
 /// What one setting cannot see of the others. Errors: Config.
 [[nodiscard]] Result<void> validate(const Config& config);

@@ -5,6 +5,7 @@
 #include "protocol/arguments.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/help.hpp"
+#include "protocol/views.hpp"
 
 #include <algorithm>
 
@@ -37,6 +38,14 @@ OneWord one_word(Text words, std::string_view allowed) noexcept
     return result;
 }
 
+/// Whether the request would change the registers.
+bool writes(const Request& request) noexcept
+{
+    return request.kind == Request::Kind::Frame ||
+           (request.kind == Request::Kind::Command && request.command->effect == Effect::Writes &&
+            !(request.command->bare == Effect::Reads && request.text.empty()));
+}
+
 } // namespace
 
 Controller::Controller(const Accelerator& accelerator, Policy policy, Board& board,
@@ -58,7 +67,8 @@ std::string_view Controller::execute(const Line& line, SessionSettings& session)
         return {};
     reply_.begin(request.checksummed);
     const Outcome fault = dispatch(request, session);
-    last_refused_ = fault.has_value();
+    if (writes(request) || request.kind == Request::Kind::Faulty)
+        last_refused_ = fault.has_value();
     if (fault) {
         ++rejected_[static_cast<std::size_t>(fault->code)];
         reply_.begin(request.checksummed); // without what was written before the fault was found
@@ -88,10 +98,7 @@ Controller::Outcome Controller::dispatch(const Request& request, SessionSettings
 {
     if (request.kind == Request::Kind::Faulty)
         return request.fault;
-    const bool writes = request.kind == Request::Kind::Frame ||
-                        (request.command->effect == Effect::Writes &&
-                         !(request.command->bare == Effect::Reads && request.text.empty()));
-    if (locked_ && writes)
+    if (locked_ && writes(request))
         return Fault{.code = ErrorCode::Locked};
     if (request.kind == Request::Kind::Command) {
         if (auto fault = check_arity(request))
@@ -251,14 +258,14 @@ Controller::Outcome Controller::preset(Text words)
         reply_.end_line();
         return std::nullopt;
     }
-    for (const Preset& row : accelerator_->presets) {
+    for (std::size_t i = 0; i < accelerator_->presets.size(); ++i) {
+        const Preset& row = accelerator_->presets[i];
         if (!equal_ignoring_case(row.name, words.bytes))
             continue;
-        State state = initial_state(*accelerator_);
-        ParameterSet given;
-        if (auto fault = read_assignments(*accelerator_, {.bytes = row.settings}, state, given))
-            return fault; // never: a test reads every preset
-        return apply(state);
+        Outcome fault = apply(preset_state(*accelerator_, row));
+        if (!fault)
+            preset_ = i;
+        return fault;
     }
     return argument_fault(words, "PRESET alone lists the presets");
 }
@@ -266,6 +273,7 @@ Controller::Outcome Controller::preset(Text words)
 void Controller::recall(const Accelerator& accelerator)
 {
     accelerator_ = &accelerator;
+    preset_.reset();
     state_ = storage_.last(accelerator).value_or(initial_state(accelerator));
     words_ = pack(accelerator, state_);
 }
@@ -316,15 +324,44 @@ void Controller::animate()
         return;
     State state = state_;
     movement_.move(*accelerator_, state, {.inputs = motion::Input::Animate});
-    if (state == state_)
-        return;
+    if (!(state == state_))
+        put(state);
+}
+
+void Controller::to_defaults()
+{
+    State state = state_;
+    reset(*accelerator_, {}, state);
+    if (put(state))
+        preset_.reset();
+}
+
+void Controller::to_next_scene()
+{
+    std::optional<std::size_t> preset = preset_;
+    if (put(next_scene(*accelerator_, state_, preset)))
+        preset_ = preset;
+}
+
+void Controller::orbit(Side side)
+{
+    State state = state_;
+    movement_.orbit(*accelerator_, state, side);
+    if (!(state == state_))
+        put(state);
+}
+
+bool Controller::put(const State& state)
+{
     const Words words = pack(*accelerator_, state);
     const Applied applied = board_.apply(words);
     if (applied == Applied::Absent || applied == Applied::Failed)
-        return; // as a line would be refused: the next step begins where this one did
+        return false; // as a line would be refused: the next step begins where this one did
+    if (!(state == state_))
+        storage_.changed(*accelerator_, state);
     state_ = state;
     words_ = words;
-    storage_.changed(*accelerator_, state);
+    return true;
 }
 
 Controller::Outcome Controller::echo(Text words, SessionSettings& session)

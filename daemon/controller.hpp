@@ -24,11 +24,21 @@
 namespace raymarch::daemon
 {
 
+/// How the register block is.
+struct Health
+{
+    bool fault = true;    ///< it is absent, a word read back wrong, or it says so itself
+    bool running = false; ///< it draws, or has drawn since the last look; a plain block, which does
+                          ///< not tell: it is there and without fault
+};
+
 /// The register block, present or not.
 class Board
 {
   public:
     virtual ~Board() = default;
+    /// To be called again and again: each call is a look.
+    [[nodiscard]] virtual Health health() = 0;
     [[nodiscard]] virtual Applied apply(const protocol::Words& words) = 0;
     /// Makes another accelerator the one behind the registers; its words are to be applied next.
     /// False, and nothing has changed, where the block is no emulated one.
@@ -95,6 +105,12 @@ class Controller
     /// One step of the animation.
     void animate();
 
+    // What the board's own buttons do. A lock keeps hosts out, not them. What the register block
+    // does not take is not done; the block itself reports it.
+    void to_defaults();
+    void to_next_scene();
+    void orbit(Side side);
+
     /// A switch on the board: while locked, whatever writes is answered ERR LOCKED.
     void set_locked(bool locked) noexcept { locked_ = locked; }
 
@@ -105,6 +121,7 @@ class Controller
         return *accelerator_;
     }
     [[nodiscard]] std::uint64_t applied() const noexcept { return applied_; }
+    /// Whether the last line that was to change the registers, or could not be read, was refused.
     [[nodiscard]] bool last_refused() const noexcept { return last_refused_; }
 
   private:
@@ -112,6 +129,8 @@ class Controller
     [[nodiscard]] Outcome dispatch(const protocol::Request& request, SessionSettings& session);
     [[nodiscard]] Outcome run(const protocol::Request& request, SessionSettings& session);
     [[nodiscard]] Outcome apply(const protocol::State& state);
+    /// Without a line, and so without a reply and a number. False when the board does not take it.
+    bool put(const protocol::State& state);
     [[nodiscard]] Outcome assign(protocol::Text words);
     [[nodiscard]] Outcome get(protocol::Text words);
     [[nodiscard]] Outcome preset(protocol::Text words);
@@ -134,6 +153,7 @@ class Controller
 
     protocol::State state_;
     protocol::Words words_;
+    std::optional<std::size_t> preset_; ///< the one applied last, by its position
     Movement movement_;
     std::function<void(unsigned)> pace_;
     unsigned rate_ = 0; ///< of the animation, steps a second

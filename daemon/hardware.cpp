@@ -2,7 +2,11 @@
 #include "daemon/hardware.hpp"
 
 #include "drivers/atomic_file.hpp"
+#include "drivers/fpga_manager.hpp"
+#include "drivers/kernel_tree.hpp"
+#include "drivers/logic_loader.hpp"
 #include "drivers/mapped_window.hpp"
+#include "drivers/uio_device.hpp"
 #include "engine/models.hpp"
 #include "pictures/picture_file.hpp"
 
@@ -14,13 +18,10 @@ namespace
 {
 
 constexpr std::size_t window_bytes = protocol::register_page_bytes;
-constexpr const char* default_uio_name = "raymarch";
 /// Frames that take longer are shown coarse first.
 constexpr std::chrono::milliseconds emulation_patience{100};
 /// Without an interrupt line a pending commit is looked at this often; a frame takes tens of ms.
 constexpr std::chrono::milliseconds deferred_poll{2};
-
-using BusResult = Result<std::unique_ptr<drivers::RegisterBus>>;
 
 /// Writes each frame to the preview file; called on the emulated block's worker.
 emulation::FrameSink preview_to(const std::string& path)
@@ -52,18 +53,12 @@ BusResult open_emulated(const Config& config, const protocol::Accelerator& accel
                                           preview_to(config.preview));
 }
 
-BusResult open_named(const std::string& name)
-{
-    const auto device = drivers::find_uio(name);
-    if (!device)
-        return fail(device.error());
-    return drivers::MappedWindow::open_uio(*device, window_bytes);
-}
-
 /// Opens what the variant names; one overload each.
 struct Opener
 {
     const Config& config;
+    const drivers::KernelTree& tree;
+    const OpenUio& open_uio;
     const protocol::Accelerator& accelerator;
     bool& emulated;
 
@@ -72,19 +67,31 @@ struct Opener
         emulated = true;
         return open_emulated(config, accelerator);
     }
+    /// An access to logic that is not configured stops the board: the kernel is asked first.
+    BusResult device(const Result<drivers::UioDevice>& device) const
+    {
+        if (!device)
+            return fail(device.error());
+        if (auto safe = drivers::require_operating_logic(tree); !safe)
+            return fail(safe.error());
+        return open_uio(*device);
+    }
     BusResult operator()(const AutoRegisters&) const
     {
-        const auto device = drivers::find_uio(default_uio_name);
-        if (device || device.error().kind != ErrorKind::Unavailable) // two of them are a mistake
-            return open_named(default_uio_name);
-        log::notice("{}: the accelerator is emulated", device.error().message);
+        const auto found = drivers::find_uio(tree, drivers::overlay_uio_name);
+        if (found || found.error().kind != ErrorKind::Unavailable) // two of them are a mistake
+            return device(found);
+        log::notice("{}: the accelerator is emulated", found.error().message);
         return emulate();
     }
-    BusResult operator()(const UioDevice& where) const
+    BusResult operator()(const UioNode& where) const
     {
-        return drivers::MappedWindow::open_uio(where.path, window_bytes);
+        return device(drivers::describe_uio(tree, where.path));
     }
-    BusResult operator()(const UioName& where) const { return open_named(where.name); }
+    BusResult operator()(const UioName& where) const
+    {
+        return device(drivers::find_uio(tree, where.name));
+    }
     BusResult operator()(const RegisterFile& where) const
     {
         return drivers::MappedWindow::open_file(where.path, window_bytes);
@@ -94,10 +101,21 @@ struct Opener
 
 } // namespace
 
-Hardware::Hardware(const Config& config, EventLoop& loop, std::function<void()> on_ready)
+BusResult open_uio_window(const drivers::UioDevice& device)
+{
+    auto window = drivers::MappedWindow::open_uio(device, window_bytes);
+    if (window)
+        log::info("{}: {} bytes at {:#010x}, {} interrupt", device.node, device.size,
+                  device.address, (*window)->interrupt_fd() >= 0 ? "with an" : "without an");
+    return window;
+}
+
+Hardware::Hardware(const Config& config, EventLoop& loop, std::function<void()> on_ready,
+                   OpenUio open_uio)
     : config_(config)
     , loop_(loop)
     , on_ready_(std::move(on_ready))
+    , open_uio_(std::move(open_uio))
     , wanted_(config.accelerator)
     , retry_open_(loop.add_timer([this] { try_to_open(); }))
     , retry_deferred_(loop.add_timer([this] { retry_deferred(); }))
@@ -111,7 +129,8 @@ void Hardware::start()
 Result<void> Hardware::open()
 {
     emulated_ = false;
-    auto bus = std::visit(Opener{config_, *wanted_, emulated_}, config_.registers);
+    const drivers::KernelTree tree(config_.sysfs_root);
+    auto bus = std::visit(Opener{config_, tree, open_uio_, *wanted_, emulated_}, config_.registers);
     if (!bus)
         return fail(bus.error());
     auto path = RegisterPath::probe(**bus, *wanted_);
@@ -119,8 +138,9 @@ Result<void> Hardware::open()
         return fail(path.error());
     bus_ = std::move(*bus);
     path_ = *path;
-    frames_before_ = path_->frames();
-    status_before_ = std::chrono::steady_clock::now();
+    frames_seen_ = path_->frames();
+    rate_ = FrameRate(frames_seen_);
+    interrupts_.opened();
     if (bus_->interrupt_fd() >= 0)
         interrupt_ =
             loop_.add_io(bus_->interrupt_fd(), EPOLLIN, [this](std::uint32_t) { on_interrupt(); });
@@ -212,12 +232,15 @@ void Hardware::wait_for_frame_start()
 /// draws the same picture over and over does not wake the processor.
 void Hardware::on_interrupt()
 {
-    if (const auto count = bus_->take_interrupt(); !count) {
+    const auto count = bus_->take_interrupt();
+    if (!count) {
         log::warning("{}", count.error().message);
         close();
         return;
     }
+    interrupts_.take(*count);
     path_->acknowledge_frame();
+    rate_.sample(path_->frames());
     retry_deferred();
 }
 
@@ -227,30 +250,47 @@ void Hardware::retry_deferred()
         settle(path_->retry());
 }
 
+/// Of a block that is there.
+bool Hardware::at_fault() const
+{
+    return faulty_ || (path_->status() & protocol::status::fault) != 0;
+}
+
+Health Hardware::health()
+{
+    if (!path_)
+        return {.fault = true, .running = false};
+    const bool fault = at_fault();
+    const bool busy = (path_->status() & protocol::status::busy) != 0;
+    const std::uint32_t frames = path_->frames();
+    const bool drew = std::exchange(frames_seen_, frames) != frames;
+    if (bus_->lost()) { // the looks themselves found out
+        close();
+        return {.fault = true, .running = false};
+    }
+    return {.fault = fault, .running = path_->extended() ? busy || drew : !fault};
+}
+
 void Hardware::write_status(protocol::ReplyWriter& reply)
 {
     if (!path_) {
         reply << " hardware=absent";
         return;
     }
-    reply << " hardware=" << (faulty_ ? "fault" : "ok")
+    reply << " hardware=" << (at_fault() ? "fault" : "ok")
           << " block=" << (path_->extended() ? "extended" : "plain")
           << " readback_errors=" << readback_errors_;
     if (!path_->extended())
         return;
 
-    using std::chrono::milliseconds;
-    const auto now = std::chrono::steady_clock::now();
-    const auto elapsed = std::chrono::duration_cast<milliseconds>(now - status_before_).count();
     const std::uint32_t frames = path_->frames();
     reply << " frames=" << std::uint64_t{frames};
-    if (elapsed > 0 && frames >= frames_before_) { // fewer: the accelerator was reset
-        const std::uint64_t tenths =
-            std::uint64_t{frames - frames_before_} * 10'000 / static_cast<std::uint64_t>(elapsed);
-        reply << " fps=" << tenths / 10 << '.' << tenths % 10;
-    }
-    frames_before_ = frames;
-    status_before_ = now;
+    rate_.sample(frames);
+    if (const auto tenths = rate_.tenths_per_second())
+        reply << " fps=" << *tenths / 10 << '.' << *tenths % 10;
+    if (interrupt_)
+        reply << " interrupts=" << interrupts_.taken()
+              << " interrupts_missed=" << interrupts_.missed();
 }
 
 } // namespace raymarch::daemon

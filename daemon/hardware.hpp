@@ -8,7 +8,11 @@
 #include "daemon/config.hpp"
 #include "daemon/controller.hpp"
 #include "daemon/event_loop.hpp"
+#include "daemon/frame_rate.hpp"
+#include "daemon/interrupt_count.hpp"
 #include "daemon/register_path.hpp"
+#include "drivers/ports.hpp"
+#include "drivers/uio_device.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -19,15 +23,23 @@
 namespace raymarch::daemon
 {
 
+using BusResult = Result<std::unique_ptr<drivers::RegisterBus>>;
+
+/// Opens the registers of a UIO device behind which there is configured logic.
+using OpenUio = std::function<BusResult(const drivers::UioDevice&)>;
+[[nodiscard]] BusResult open_uio_window(const drivers::UioDevice& device);
+
 class Hardware final : public Board
 {
   public:
     /// `on_ready` is called each time a block has been found: its registers await the state.
-    Hardware(const Config& config, EventLoop& loop, std::function<void()> on_ready);
+    Hardware(const Config& config, EventLoop& loop, std::function<void()> on_ready,
+             OpenUio open_uio = open_uio_window);
 
     /// Looks for the block now; when it is not there, again and again.
     void start();
 
+    [[nodiscard]] Health health() override;
     [[nodiscard]] Applied apply(const protocol::Words& words) override;
     [[nodiscard]] bool use(const protocol::Accelerator& accelerator) override;
 
@@ -37,7 +49,7 @@ class Hardware final : public Board
         return path_ ? path_->accelerator() : *wanted_;
     }
 
-    /// ` hardware=… block=… frames=… fps=…`
+    /// ` hardware=… block=… frames=… fps=… interrupts=…`
     void write_status(protocol::ReplyWriter& reply);
 
   private:
@@ -50,10 +62,12 @@ class Hardware final : public Board
     void retry_deferred();
     void settle(Applied applied);
     void wait_for_frame_start();
+    [[nodiscard]] bool at_fault() const;
 
     const Config& config_;
     EventLoop& loop_;
     std::function<void()> on_ready_;
+    OpenUio open_uio_;
     const protocol::Accelerator* wanted_; ///< what an emulated block is, and a plain one taken for
     bool emulated_ = false;
     BackOff back_off_;
@@ -61,8 +75,9 @@ class Hardware final : public Board
     std::uint64_t readback_errors_ = 0;
     bool faulty_ = false;
 
-    std::uint32_t frames_before_ = 0; ///< FRAMES at the last status, and when that was
-    std::chrono::steady_clock::time_point status_before_ = std::chrono::steady_clock::now();
+    std::uint32_t frames_seen_ = 0; ///< FRAMES at the last health()
+    FrameRate rate_{0};
+    InterruptCount interrupts_;
 
     std::unique_ptr<drivers::RegisterBus> bus_;
     std::optional<RegisterPath> path_; ///< borrows bus_

@@ -20,7 +20,6 @@ using protocol::Fault;
 /// All at once, on the event loop: so many that it is not held up for long.
 constexpr unsigned most_steps = 1000;
 constexpr unsigned default_rate = 20;
-constexpr unsigned most_rate = 60;
 
 tl::unexpected<Fault> argument_fault(protocol::Text at, std::string_view allowed) noexcept
 {
@@ -78,6 +77,15 @@ void Movement::move(const protocol::Accelerator& accelerator, protocol::State& s
     }
     for (unsigned i = 0; mover_ && i < steps.count; ++i)
         mover_->step(state, steps.inputs);
+}
+
+void Movement::orbit(const protocol::Accelerator& accelerator, protocol::State& state, Side side)
+{
+    const bool left = side == Side::Left;
+    const protocol::State before = state;
+    move(accelerator, state, {.inputs = left ? Input::TurnLeft : Input::TurnRight});
+    if (state == before)
+        move(accelerator, state, {.inputs = left ? Input::StrafeLeft : Input::StrafeRight});
 }
 
 } // namespace raymarch::daemon

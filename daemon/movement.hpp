@@ -7,6 +7,7 @@
 #include "protocol/errors.hpp"
 #include "protocol/text.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <tl/expected.hpp>
 
@@ -26,12 +27,19 @@ struct Steps
 /// `on [RATE]` or `off`: steps a second, 0 for off. Errors: Argument.
 [[nodiscard]] tl::expected<unsigned, protocol::Fault> read_animate(protocol::Text words) noexcept;
 
+enum class Side : std::uint8_t { Left, Right };
+
+/// Steps a second that may be asked for.
+inline constexpr unsigned most_rate = 60;
+
 /// The movement of whichever accelerator is active.
 class Movement
 {
   public:
     /// Moves `state`, a state of `accelerator`; nothing where that accelerator does not move.
     void move(const protocol::Accelerator& accelerator, protocol::State& state, const Steps& steps);
+    /// One step of the camera to that side: a turn, or a step aside where nothing turns.
+    void orbit(const protocol::Accelerator& accelerator, protocol::State& state, Side side);
 
   private:
     const protocol::Accelerator* accelerator_ = nullptr; ///< whose mover it is

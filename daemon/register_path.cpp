@@ -113,6 +113,11 @@ void RegisterPath::acknowledge_frame()
         bus_->write(at(Register::Status), status::frame_done);
 }
 
+std::uint32_t RegisterPath::status() const
+{
+    return extended_ ? bus_->read(at(Register::Status)) : 0;
+}
+
 std::uint32_t RegisterPath::frames() const
 {
     return extended_ ? bus_->read(at(Register::Frames)) : 0;

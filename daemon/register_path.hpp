@@ -51,6 +51,8 @@ class RegisterPath
         return *accelerator_;
     }
     [[nodiscard]] bool extended() const noexcept { return extended_; }
+    /// STATUS; 0 for a plain block.
+    [[nodiscard]] std::uint32_t status() const;
     /// FRAMES; 0 for a plain block.
     [[nodiscard]] std::uint32_t frames() const;
 

@@ -10,38 +10,11 @@
 
 #include <cassert>
 #include <cerrno>
-#include <charconv>
-#include <filesystem>
-#include <fstream>
-#include <optional>
-#include <vector>
 
 namespace raymarch::drivers
 {
 namespace
 {
-
-namespace fs = std::filesystem;
-
-std::string first_line(const fs::path& path)
-{
-    std::ifstream file(path);
-    std::string line;
-    std::getline(file, line);
-    return line;
-}
-
-/// sysfs prints sizes and offsets as 0x….
-std::optional<std::size_t> hex_number(std::string_view text)
-{
-    if (text.starts_with("0x"))
-        text.remove_prefix(2);
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
-    if (error != std::errc{} || end != text.data() + text.size())
-        return std::nullopt;
-    return value;
-}
 
 std::size_t page_size() noexcept
 {
@@ -88,24 +61,21 @@ MappedWindow::map(UniqueFd fd, std::string name, std::size_t bytes, std::size_t 
         new MappedWindow(std::move(fd), std::move(name), {base, length, offset}, has_interrupt));
 }
 
-Result<std::unique_ptr<MappedWindow>>
-MappedWindow::open_uio(const std::string& device, std::size_t bytes, const std::string& sysfs_root)
+Result<std::unique_ptr<MappedWindow>> MappedWindow::open_uio(const UioDevice& device,
+                                                             std::size_t bytes)
 {
-    UniqueFd fd(::open(device.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_SYNC));
-    if (!fd)
-        return fail(errno_error(ErrorKind::Unavailable, "open", device));
-    const fs::path region =
-        fs::path(sysfs_root) / "class/uio" / fs::path(device).filename() / "maps/map0";
-    const auto size = hex_number(first_line(region / "size"));
-    const auto offset = hex_number(first_line(region / "offset"));
-    if (!size || *size < bytes)
-        return fail(plain_error(ErrorKind::Unavailable, device + ": " + (region / "size").string() +
-                                                            " must say at least " +
-                                                            std::to_string(bytes) + " bytes"));
-    if (offset.value_or(0) >= page_size())
+    if (device.size < bytes)
         return fail(plain_error(ErrorKind::Unavailable,
-                                (region / "offset").string() + " must lie within one page"));
-    return map(std::move(fd), device, bytes, offset.value_or(0), true);
+                                device.node + " has " + std::to_string(device.size) +
+                                    " bytes of registers (maps/map0/size), not the " +
+                                    std::to_string(bytes) + " that the block takes"));
+    if (device.offset >= page_size())
+        return fail(plain_error(ErrorKind::Unavailable,
+                                device.node + ": maps/map0/offset must lie within one page"));
+    UniqueFd fd(::open(device.node.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_SYNC));
+    if (!fd)
+        return fail(errno_error(ErrorKind::Unavailable, "open", device.node));
+    return map(std::move(fd), device.node, bytes, device.offset, true);
 }
 
 Result<std::unique_ptr<MappedWindow>> MappedWindow::open_file(const std::string& path,
@@ -167,23 +137,6 @@ Result<std::uint32_t> MappedWindow::take_interrupt()
 bool MappedWindow::lost() const noexcept
 {
     return mapping_faulted(mapping_.base);
-}
-
-Result<std::string> find_uio(const std::string& name, const std::string& sysfs_root)
-{
-    const fs::path devices = fs::path(sysfs_root) / "class/uio";
-    std::vector<std::string> found;
-    std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(devices, error))
-        if (first_line(entry.path() / "name") == name)
-            found.push_back("/dev/" + entry.path().filename().string());
-    if (found.size() == 1)
-        return found.front();
-    if (found.empty())
-        return fail(plain_error(ErrorKind::Unavailable, "no UIO device is named " + name + " (" +
-                                                            devices.string() + "/*/name)"));
-    return fail(plain_error(ErrorKind::Config,
-                            std::to_string(found.size()) + " UIO devices are named " + name));
 }
 
 } // namespace raymarch::drivers

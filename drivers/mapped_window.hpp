@@ -6,6 +6,7 @@
 #include "base/result.hpp"
 #include "base/unique_fd.hpp"
 #include "drivers/ports.hpp"
+#include "drivers/uio_device.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,11 +25,11 @@ namespace raymarch::drivers
 class MappedWindow final : public RegisterBus
 {
   public:
-    /// Maps the first region of a UIO device, `/dev/uioN`; its size and offset come from
-    /// `<sysfs_root>/class/uio/uioN/maps/map0`. Errors: Unavailable (no device, or a region smaller
-    /// than `bytes`), InputOutput.
-    [[nodiscard]] static Result<std::unique_ptr<MappedWindow>>
-    open_uio(const std::string& device, std::size_t bytes, const std::string& sysfs_root = "/sys");
+    /// Maps the first region of a UIO device, and lets its first interrupt through where it has a
+    /// line. Errors: Unavailable (a region smaller than `bytes`, found before the device is opened;
+    /// no device), InputOutput.
+    [[nodiscard]] static Result<std::unique_ptr<MappedWindow>> open_uio(const UioDevice& device,
+                                                                        std::size_t bytes);
 
     /// Maps an ordinary file of at least `bytes`; made, and filled up with zeros, if need be.
     /// Errors: Unavailable, InputOutput.
@@ -60,10 +61,5 @@ class MappedWindow final : public RegisterBus
     Mapping mapping_;
     bool has_interrupt_;
 };
-
-/// `/dev/uioN` of the device whose sysfs name is `name`. Errors: Unavailable when there is none,
-/// Config when there are several.
-[[nodiscard]] Result<std::string> find_uio(const std::string& name,
-                                           const std::string& sysfs_root = "/sys");
 
 } // namespace raymarch::drivers

@@ -97,6 +97,13 @@ class FramePort
     receive(std::span<std::uint8_t> into, std::chrono::milliseconds timeout) = 0;
 };
 
+/// A change of a line's level, after active-low has been undone.
+struct Edge
+{
+    bool level = false;
+    std::chrono::nanoseconds at{}; ///< when, by a clock of the system that never waits for us
+};
+
 /// One digital line: a button, a switch or an LED.
 class Pin
 {
@@ -110,8 +117,11 @@ class Pin
     [[nodiscard]] virtual Result<bool> read() = 0;
     /// Drives an output. Errors: InputOutput.
     [[nodiscard]] virtual Result<void> write(bool on) = 0;
-    /// Readable when an edge has come; -1 for outputs.
+    /// Readable when an edge has come; -1 for outputs, and for inputs that do not report edges.
     [[nodiscard]] virtual int edge_fd() const noexcept = 0;
+    /// The next edge that waits, in the order in which they came; nothing when none does. Errors:
+    /// InputOutput.
+    [[nodiscard]] virtual Result<std::optional<Edge>> take_edge() = 0;
 };
 
 } // namespace raymarch::drivers

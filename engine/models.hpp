@@ -3,12 +3,16 @@
 /// The registry of models: one line an accelerator, beside protocol/accelerators.hpp.
 #pragma once
 
+#include "engine/fractal/fast/kernels.hpp"
 #include "engine/fractal/fractal.hpp"
+#include "engine/mandelbulb/fast/kernels.hpp"
 #include "engine/mandelbulb/mandelbulb.hpp"
 #include "engine/marcher/fast/kernel.hpp"
 #include "engine/marcher/marcher.hpp"
 #include "engine/model.hpp"
+#include "engine/sphere/fast/kernels.hpp"
 #include "engine/sphere/sphere.hpp"
+#include "engine/whitted/fast/kernels.hpp"
 #include "engine/whitted/whitted.hpp"
 #include "protocol/accelerators.hpp"
 
@@ -27,21 +31,25 @@ inline constexpr std::array models = {
           .steps = "scene queries",
           .draw_row = fractal::draw_row,
           .frame_cycles = fractal::frame_cycles,
-          .frames_of_a_still = fractal::frames_of_a_still},
+          .frames_of_a_still = fractal::frames_of_a_still,
+          .kernels = fractal::kernels},
     Model{.description = &protocol::sphere::description,
           .steps = "clock edges (prototype: runs of the ray-sphere unit)",
           .draw_row = sphere::draw_row,
           .frame_cycles = sphere::frame_cycles,
-          .finish = sphere::finish},
+          .finish = sphere::finish,
+          .kernels = sphere::kernels},
     Model{.description = &protocol::mandelbulb::description,
           .steps = "evaluations of the distance",
           .draw_row = mandelbulb::draw_row,
-          .frame_cycles = mandelbulb::frame_cycles},
+          .frame_cycles = mandelbulb::frame_cycles,
+          .kernels = mandelbulb::kernels},
     Model{.description = &protocol::whitted::description,
           .steps = "clock cycles of the picture's pixels",
           .draw_row = whitted::draw_row,
           .frame_cycles = whitted::frame_cycles,
-          .frame_rays = whitted::frame_rays},
+          .frame_rays = whitted::frame_rays,
+          .kernels = whitted::fast::kernels},
 };
 
 /// The model of a description that stands in protocol::accelerators.

@@ -127,7 +127,8 @@ std::optional<Fault> read_assignments(const Accelerator& accelerator, Text text,
     return std::nullopt;
 }
 
-std::optional<Fault> read_frame(const Accelerator& accelerator, Text text, State& state) noexcept
+std::optional<Fault> read_frame_by_pairs(const Accelerator& accelerator, Text text,
+                                         State& state) noexcept
 {
     ParameterSet given;
     if (auto fault = read_assignments(accelerator, text, state, given))

@@ -135,29 +135,6 @@ consteval std::array<Parameter, N> complete(std::array<Parameter, N> table)
     return table;
 }
 
-/// The fields of a table in one row, as packing walks through them; as many as `count` says.
-template <std::size_t N>
-struct Fields
-{
-    std::array<Field, max_slices * N> rows{};
-    std::size_t count = 0;
-
-    [[nodiscard]] constexpr std::span<const Field> span() const noexcept
-    {
-        return std::span(rows).first(count);
-    }
-};
-
-template <std::size_t N>
-consteval Fields<N> fields_of(const std::array<Parameter, N>& table)
-{
-    Fields<N> fields;
-    for (std::size_t i = 0; i < N; ++i)
-        for (const Slice& slice : table[i].placement())
-            fields.rows[fields.count++] = {static_cast<ParameterIndex>(i), slice};
-    return fields;
-}
-
 /// What a complete frame names: every value that is no row of a table.
 template <std::size_t N>
 consteval ParameterSet frame_of(const std::array<Parameter, N>& table)

@@ -68,13 +68,6 @@ struct Slice
 /// The most pieces that a parameter is cut into.
 inline constexpr std::size_t max_slices = 3;
 
-/// A slice with the parameter that it belongs to.
-struct Field
-{
-    ParameterIndex parameter = 0;
-    Slice slice{};
-};
-
 /// `KEY=` as the first bytes of eight that the processor loads at once; empty for a key of more
 /// than seven letters.
 struct KeyFront
@@ -151,6 +144,9 @@ struct Parameter
 inline constexpr std::size_t max_parameters = 256;
 /// The most parameter words of any accelerator: from offset 0x100 to the middle of the page.
 inline constexpr std::size_t max_parameter_words = (0x800 - 0x100) / 4;
+
+/// The parameter words of one accelerator, `word_count` of them.
+using Words = Counted<std::uint32_t, max_parameter_words>;
 
 /// The code of every parameter, in table order.
 struct State
@@ -243,11 +239,14 @@ struct Accelerator
     std::uint8_t ray_units;
     std::uint32_t clock_hz;
     std::span<const Parameter> parameters;
-    std::span<const Field> fields; ///< every slice of the parameters, see fields_of()
-    ParameterSet frame;            ///< what a complete frame names, see frame_of()
+    void (*pack)(const State&, Words&) noexcept; ///< pack_table() of `parameters`
+    /// The short way of frames, frame_lanes.hpp, where the table allows one.
+    bool (*read_frame_by_lanes)(std::string_view, State&) noexcept = nullptr;
+    ParameterSet frame; ///< what a complete frame names, see frame_of()
     std::span<const Preset> presets;
     std::optional<OrbitCamera> camera;
     std::optional<Colour> colour;
+    std::optional<ParameterIndex> scene; ///< the choice of scenes
 };
 
 /// The index of `key` (any case), looked for first at `guess`: keys mostly come in table order.

@@ -92,18 +92,11 @@ inline constexpr std::uint32_t fault = 1U << 3;
     return {static_cast<std::uint16_t>(word >> 16), static_cast<std::uint16_t>(word)};
 }
 
-/// The parameter words of one accelerator, `word_count` of them.
-using Words = Counted<std::uint32_t, max_parameter_words>;
-
 /// The words that hold `state`; bits that no parameter owns are 0.
 [[nodiscard]] constexpr Words pack(const Accelerator& accelerator, const State& state) noexcept
 {
     Words words(accelerator.word_count);
-    for (const auto& [parameter, slice] : accelerator.fields) {
-        const std::uint64_t bits =
-            static_cast<std::uint64_t>(state.codes[parameter]) >> slice.shift;
-        words[slice.word] |= (static_cast<std::uint32_t>(bits) & slice.mask) << slice.lsb;
-    }
+    accelerator.pack(state, words);
     return words;
 }
 

@@ -30,6 +30,7 @@ ENGINE_MAY_INCLUDE = re.compile(r"protocol/(parameters|registers|accelerators|ac
 # System headers that only some folders may use.
 RESTRICTED: dict[str, set[str]] = {
     "systemd/": {"daemon"},
+    "gpiod": {"drivers"},
     "opencv2/": {"pictures"},
     "CLI/": {"daemon", "console", "tools"},
     "thread": {"base", "engine", "emulation", "daemon", "console"},

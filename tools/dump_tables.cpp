@@ -32,6 +32,8 @@ const std::vector<Document> documents = {
     {"docs/protocol.md", "commands", tools::commands_section},
     {"docs/protocol.md", "errors", tools::errors_section},
     {"docs/protocol.md", "presets", tools::presets_section},
+    {"docs/gpio.md", "actions", tools::actions_table},
+    {"docs/man/raymarchd.8", "actions", tools::actions_manual},
     {"systemd/raymarchd.toml", "", tools::settings_file},
     {"overlay/rtl/raymarch_registers_pkg.sv", "", tools::systemverilog_package},
 };
@@ -49,8 +51,13 @@ std::string updated(const Document& document, const std::string& present)
     const std::string_view section = document.section;
     if (section.empty())
         return document.make();
-    const std::string begin = fmt::format("<!-- begin {} -->\n", section);
-    const std::string end = fmt::format("<!-- end {} -->", section);
+    const bool manual = !std::string_view(document.path).ends_with(".md");
+    const auto marker = [&](const char* which) {
+        return manual ? fmt::format(".\\\" {} {}\n", which, section)
+                      : fmt::format("<!-- {} {} -->\n", which, section);
+    };
+    const std::string begin = marker("begin");
+    const std::string end = marker("end");
     const std::size_t from = present.find(begin);
     const std::size_t to = present.find(end);
     if (from == std::string::npos || to == std::string::npos)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/generated.hpp"
 
+#include "daemon/actions.hpp"
 #include "daemon/config.hpp"
 #include "protocol/accelerators.hpp"
 #include "protocol/commands.hpp"
@@ -231,6 +232,36 @@ std::string settings_file()
         text += fmt::format(
             "\n# {}\n# {}\n#{} = {}\n", setting.meaning, setting.value, setting.name,
             bare ? std::string(setting.initial) : fmt::format("\"{}\"", setting.initial));
+    }
+    text +=
+        fmt::format("\n# The line of each action of a button, a switch or an LED: none, or\n# {}\n"
+                    "#[{}]\n",
+                    daemon::line_values, daemon::lines_table);
+    for (const daemon::Action& action : daemon::actions())
+        text += fmt::format("\n# {}: {}\n#{} = \"{}\"\n", daemon::name_of(action.kind),
+                            action.meaning, action.name, action.line);
+    return text;
+}
+
+std::string actions_table()
+{
+    std::string text = "\n| action | kind | default line | on a PYNQ-Z1 | does or shows |\n"
+                       "| --- | --- | --- | --- | --- |\n";
+    for (const daemon::Action& action : daemon::actions())
+        text +=
+            fmt::format("| {} | {} | {} | {} | {} |\n", action.name, daemon::name_of(action.kind),
+                        action.line, action.place, action.meaning);
+    return text + "\n";
+}
+
+std::string actions_manual()
+{
+    std::string text;
+    for (const daemon::Action& action : daemon::actions()) {
+        std::string sentence(action.meaning);
+        sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+        text += fmt::format(".TP\n.BR {} \" (\" {} \"), \" {}\n{}.\n", action.name,
+                            daemon::name_of(action.kind), action.line, sentence);
     }
     return text;
 }

@@ -5,17 +5,6 @@
 
 namespace raymarch::engine::fractal
 {
-namespace
-{
-
-Number along(Number first, Number step, std::uint16_t count) noexcept
-{
-    // The sum of `count` steps; steps are at most 2.0 and counts 16 bits, so it needs 64.
-    return Number::from_raw(first.raw() + std::int64_t{step.raw()} * count);
-}
-
-} // namespace
-
 Camera camera_along(const Point& f) noexcept
 {
     // multiply(f.y, -f.x) and -multiply(f.y, f.x) are floored to different sides.
@@ -33,6 +22,12 @@ Plane plane_of(PictureSize size) noexcept
     return {.left = Number::from_raw(-((ratio + height - 1) / height)), // the floor of -W / H
             .top = -one,
             .step = word(2 * one.raw() / height)};
+}
+
+Number along(Number first, Number step, std::uint16_t count) noexcept
+{
+    // The sum of `count` steps; steps are at most 2.0 and counts 16 bits, so it needs 64.
+    return Number::from_raw(first.raw() + std::int64_t{step.raw()} * count);
 }
 
 Point ray_direction(const Camera& camera, const Plane& plane, std::uint16_t x,

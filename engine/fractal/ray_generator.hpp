@@ -33,6 +33,9 @@ struct Plane
 /// The plane of a picture from 1 x 1 on: 2 units high, floored, so that it ends a little early.
 [[nodiscard]] Plane plane_of(PictureSize size) noexcept;
 
+/// The coordinate of a column or a row.
+[[nodiscard]] Number along(Number first, Number step, std::uint16_t count) noexcept;
+
 /// The direction, of length about 1, of the ray through pixel (x, y), y from the top.
 [[nodiscard]] Point ray_direction(const Camera& camera, const Plane& plane, std::uint16_t x,
                                   std::uint16_t y) noexcept;

@@ -3,12 +3,6 @@
 
 namespace raymarch::engine::fractal
 {
-namespace
-{
-
-constexpr Number hit_limit = shift_right(hundredth, 1);
-
-} // namespace
 
 March march(const Point& origin, const Point& direction, Distance distance) noexcept
 {

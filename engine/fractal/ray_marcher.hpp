@@ -12,6 +12,7 @@ namespace raymarch::engine::fractal
 {
 
 inline constexpr std::uint8_t max_depth = 31; ///< no more steps than five bits count
+inline constexpr Number hit_limit = shift_right(hundredth, 1);
 
 /// How a ray ended.
 struct March

@@ -47,8 +47,8 @@ Direction unit_vector(const Direction& v) noexcept
     return map(v, [&](std::int64_t a) { return ratio(a, length); });
 }
 
-Direction ray_direction(const Frame& frame, PictureSize size, std::uint16_t x,
-                        std::uint16_t y) noexcept
+Direction ray_vector(const Frame& frame, PictureSize size, std::uint16_t x,
+                     std::uint16_t y) noexcept
 {
     const int width = size.width;
     const int height = size.height;
@@ -62,9 +62,15 @@ Direction ray_direction(const Frame& frame, PictureSize size, std::uint16_t x,
             Int128(right) * Int128(u) + Int128(up) * Int128(v) + Int128(forward) * Int128(f);
         return static_cast<std::int64_t>(sum >> component_shift);
     };
-    return unit_vector({component(frame.right.x, frame.up.x, frame.forward.x),
-                        component(frame.right.y, frame.up.y, frame.forward.y),
-                        component(frame.right.z, frame.up.z, frame.forward.z)});
+    return {component(frame.right.x, frame.up.x, frame.forward.x),
+            component(frame.right.y, frame.up.y, frame.forward.y),
+            component(frame.right.z, frame.up.z, frame.forward.z)};
+}
+
+Direction ray_direction(const Frame& frame, PictureSize size, std::uint16_t x,
+                        std::uint16_t y) noexcept
+{
+    return unit_vector(ray_vector(frame, size, x, y));
 }
 
 } // namespace raymarch::engine::mandelbulb

@@ -11,7 +11,6 @@ namespace raymarch::engine::sphere
 namespace
 {
 
-constexpr std::int64_t segment_threshold = 10;
 constexpr std::int64_t largest_coordinate = (1 << 17) - 1;
 
 // Laid out by hand: one row a rule, one column a set of rules.

@@ -25,6 +25,8 @@ enum class Reach : std::uint8_t {
     Segment, ///< T from 10 on, and up to the other end: is the way to a light free?
 };
 
+inline constexpr std::int64_t segment_threshold = 10;
+
 /// How the unit ended; the hardware's count at which it does so stands beside the name.
 enum class End : std::uint8_t {
     Misses,   ///< the line misses the sphere (1000)

@@ -55,8 +55,8 @@ std::span<const SamplePlace> sample_places(AntiAliasing anti_aliasing) noexcept
     return single;
 }
 
-Vector primary_direction(const Frame& frame, PictureSize size, unsigned x, unsigned y,
-                         const SamplePlace& place) noexcept
+Vector screen_point(const Frame& frame, PictureSize size, unsigned x, unsigned y,
+                    const SamplePlace& place) noexcept
 {
     const auto shift_with = [&](Defect defect) {
         return frame.defects.has(defect) ? Shift::Unsigned : Shift::Signed;
@@ -68,7 +68,13 @@ Vector primary_direction(const Frame& frame, PictureSize size, unsigned x, unsig
     const Shift depth = shift_with(Defect::UnsignedEye);
     const int offset = depth == Shift::Unsigned ? 1 << (Word::width - screen_shift) : 0;
     const Word dz = Word::from_raw(frame.screen.raw() + offset - scaled(frame.eye.z.raw(), depth));
-    return normalise({dx, dy, dz});
+    return {dx, dy, dz};
+}
+
+Vector primary_direction(const Frame& frame, PictureSize size, unsigned x, unsigned y,
+                         const SamplePlace& place) noexcept
+{
+    return normalise(screen_point(frame, size, x, y, place));
 }
 
 } // namespace raymarch::engine::whitted

@@ -4,6 +4,7 @@
 /// tracing in words of Q6.16, in sixteen greys. Its switches and keys are parameters here.
 #pragma once
 
+#include "protocol/packer.hpp"
 #include "protocol/parameter_table.hpp"
 
 namespace raymarch::protocol::fractal
@@ -53,8 +54,6 @@ inline constexpr auto parameters = complete(std::array{
     Parameter{.key = "COLLISION", .meaning = "walls as leaky as the hardware's, or closed", .unit = "", .group = "walk", .format = switch_format, .min = "", .max = "", .initial = "faithful", .slice_count = 0, .choices = collisions},
 });
 
-inline constexpr auto fields = fields_of(parameters);
-
 /// At least two views of each scene.
 inline constexpr std::array presets = {
     Preset{"start", "where the hardware stands after reset, its Menger tunnel ahead", "X=0,Y=1,Z=-1.5,FX=0,FY=0,FZ=1,SCENE=menger,DITHER=on,TEXTURE=on"},
@@ -85,11 +84,12 @@ inline constexpr Accelerator description = {
     .ray_units = 12,
     .clock_hz = 40'000'000,
     .parameters = parameters,
-    .fields = fields.span(),
+    .pack = pack_table<parameters>,
     .frame = frame_of(parameters),
     .presets = presets,
     .camera = std::nullopt,
     .colour = std::nullopt,
+    .scene = SCENE,
 };
 
 } // namespace raymarch::protocol::fractal

@@ -4,6 +4,7 @@
 /// CORDIC. Numbers of steps, of bits and of iterations are what its hardware is built with.
 #pragma once
 
+#include "protocol/packer.hpp"
 #include "protocol/parameter_table.hpp"
 
 namespace raymarch::protocol::mandelbulb
@@ -128,8 +129,6 @@ inline constexpr auto parameters = complete(std::array{
     Parameter{.key = "ASPECT", .meaning = "square: the picture is stretched to its size", .unit = "", .group = "camera", .format = unsigned_q(1, 0), .min = "", .max = "", .initial = "natural", .slices = {{{0, 3, 3}}}, .choices = aspects},
 });
 
-inline constexpr auto fields = fields_of(parameters);
-
 inline constexpr std::array presets = {
     Preset{"front", "the whole Mandelbulb from the front", "COLOUR=steps"},
     Preset{"whole", "the whole from above a corner: the view that the zooms start from", "X=1.8999999999999999112,Y=-1.5,Z=0.9000000000000000222,FX=-0.73568293802924789,FY=0.58080231949677463,FZ=-0.3484813916980648,RX=0.61964428857902076,RY=0.784882765533426285,UX=-0.27351703845291431,UY=0.215934504041774444,UZ=0.93731569902577638"},
@@ -177,11 +176,12 @@ inline constexpr Accelerator description = {
     .ray_units = 1,
     .clock_hz = 100'000'000,
     .parameters = parameters,
-    .fields = fields.span(),
+    .pack = pack_table<parameters>,
     .frame = frame_of(parameters),
     .presets = presets,
     .camera = std::nullopt,
     .colour = std::nullopt,
+    .scene = std::nullopt,
 };
 
 } // namespace raymarch::protocol::mandelbulb

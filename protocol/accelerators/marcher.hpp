@@ -5,6 +5,8 @@
 /// §5.1.2.
 #pragma once
 
+#include "protocol/frame_lanes.hpp"
+#include "protocol/packer.hpp"
 #include "protocol/parameter_table.hpp"
 
 namespace raymarch::protocol::marcher
@@ -44,7 +46,7 @@ inline constexpr auto parameters = complete(std::array{
     Parameter{.key = "OBJ", .meaning = "scene", .unit = "", .group = "object", .format = object_format, .min = "", .max = "", .initial = "sphere", .slices = {{{0, 31, 30}}}, .choices = scenes},
 });
 
-inline constexpr auto fields = fields_of(parameters);
+inline constexpr FrameLanes frame_lanes = frame_lanes_of(parameters);
 
 /// At least two views of each scene; every camera stands in free space.
 inline constexpr std::array presets = {
@@ -70,12 +72,14 @@ inline constexpr Accelerator description = {
     .ray_units = 4,
     .clock_hz = 100'000'000,
     .parameters = parameters,
-    .fields = fields.span(),
+    .pack = pack_table<parameters>,
+    .read_frame_by_lanes = read_frame_by_lanes<frame_lanes>,
     .frame = frame_of(parameters),
     .presets = presets,
     .camera =
         OrbitCamera{.forward = {FX, FY, FZ}, .right = {RX, RY, RZ}, .up = {UX, UY, UZ}, .zoom = ZM},
     .colour = Colour{{R, G, B}},
+    .scene = OBJ,
 };
 
 } // namespace raymarch::protocol::marcher

@@ -5,6 +5,7 @@
 /// those of the prototype; the hardware's registers hold the lower bits (docs/engine/sphere.md).
 #pragma once
 
+#include "protocol/packer.hpp"
 #include "protocol/parameter_table.hpp"
 
 #include <array>
@@ -85,8 +86,6 @@ consteval auto light_rows()
 inline constexpr auto parameters = complete(joined(settings, sphere_rows(), light_rows()));
 static_assert(parameters[S1].key == "S1.X" && parameters[L1].key == "L1.X");
 
-inline constexpr auto fields = fields_of(parameters);
-
 // Laid out by hand: one row a preset.
 // clang-format off
 inline constexpr std::array presets = {
@@ -116,11 +115,12 @@ inline constexpr Accelerator description = {
     .ray_units = 1,
     .clock_hz = 100'000'000,
     .parameters = parameters,
-    .fields = fields.span(),
+    .pack = pack_table<parameters>,
     .frame = frame_of(parameters),
     .presets = presets,
     .camera = std::nullopt,
     .colour = std::nullopt,
+    .scene = std::nullopt,
 };
 
 } // namespace raymarch::protocol::sphere

@@ -5,6 +5,7 @@
 /// docs/engine/whitted.md.
 #pragma once
 
+#include "protocol/packer.hpp"
 #include "protocol/parameter_table.hpp"
 
 namespace raymarch::protocol::whitted
@@ -199,8 +200,6 @@ static_assert(parameters.size() <= 250 && single_values.size() == first_sphere);
 static_assert(parameters[index_of(sphere::VZ, 13)].key == "S14.VZ");
 static_assert(parameters[index_of(plane::ZL, 3)].key == "P4.ZL");
 
-inline constexpr auto fields = fields_of(parameters);
-
 /// The report's second scene; the walls that it moves in are wider.
 inline constexpr std::string_view image2 =
     "N=13,LR=2,AA=8x,XMIN=-40,XMAX=40,YMIN=-40,YMAX=40,ZMAX=40,"
@@ -293,11 +292,12 @@ inline constexpr Accelerator description = {
     .ray_units = 1,
     .clock_hz = 25'000'000,
     .parameters = parameters,
-    .fields = fields.span(),
+    .pack = pack_table<parameters>,
     .frame = frame_of(parameters),
     .presets = presets,
     .camera = std::nullopt,
     .colour = std::nullopt,
+    .scene = std::nullopt,
 };
 
 } // namespace raymarch::protocol::whitted

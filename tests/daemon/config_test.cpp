@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/config.hpp"
 
+#include "daemon/actions.hpp"
 #include "daemon/options.hpp"
 #include "protocol/accelerators.hpp"
 #include "tests/fakes/temporary_folder.hpp"
@@ -49,6 +50,10 @@ TEST(Config, TheDefaults)
     EXPECT_EQ(config.emulated.form, emulation::BlockForm::Extended);
     EXPECT_EQ(config.emulated.size, protocol::PictureSize{}); // what the accelerator's source draws
     EXPECT_EQ(config.emulated.threads, 0U);
+    EXPECT_TRUE(config.gpio.used);
+    EXPECT_EQ(config.gpio.debounce, std::chrono::milliseconds{10});
+    EXPECT_EQ(config.gpio.orbit_rate, 20U);
+    EXPECT_EQ(config.gpio.turn_rate, 5U);
 }
 
 Config with(std::string_view name, std::string_view text)
@@ -61,7 +66,7 @@ Config with(std::string_view name, std::string_view text)
 
 TEST(Config, PlacesOfRegisters)
 {
-    EXPECT_EQ(std::get<UioDevice>(with("registers", "uio:/dev/uio3").registers).path, "/dev/uio3");
+    EXPECT_EQ(std::get<UioNode>(with("registers", "uio:/dev/uio3").registers).path, "/dev/uio3");
     EXPECT_EQ(std::get<UioName>(with("registers", "uio-name:block").registers).name, "block");
     EXPECT_EQ(std::get<RegisterFile>(with("registers", "file:/tmp/a b").registers).path,
               "/tmp/a b");
@@ -93,6 +98,10 @@ TEST(Config, TheOtherValues)
     EXPECT_EQ(with("emulated_size", "1920x1080").emulated.size,
               (protocol::PictureSize{1920, 1080}));
     EXPECT_EQ(with("emulated_threads", "256").emulated.threads, 256U);
+    EXPECT_FALSE(with("gpio", "none").gpio.used);
+    EXPECT_EQ(with("gpio_debounce", "0").gpio.debounce, std::chrono::milliseconds{0});
+    EXPECT_EQ(with("gpio_orbit_rate", "60").gpio.orbit_rate, 60U);
+    EXPECT_EQ(with("gpio_turn_rate", "1").gpio.turn_rate, 1U);
 }
 
 struct RefusalRow
@@ -115,7 +124,13 @@ constexpr std::array refusals = {
     RefusalRow{"serial", "/dev/ttyPS0@-1", "/dev/TTY[@BAUD]"},
     RefusalRow{"serial", "pty:", "pty:LINK"},
     RefusalRow{"serial", "", "none"},
-    RefusalRow{"gpio", "gpiochip0", "none"},
+    RefusalRow{"gpio", "gpiochip0", "lines or none"},
+    RefusalRow{"gpio_debounce", "1001", "0 to 1000"},
+    RefusalRow{"gpio_debounce", "-1", "0 to 1000"},
+    RefusalRow{"gpio_debounce", "5ms", "milliseconds"},
+    RefusalRow{"gpio_orbit_rate", "0", "1 to 60"},
+    RefusalRow{"gpio_orbit_rate", "61", "1 to 60"},
+    RefusalRow{"gpio_turn_rate", "slow", "steps a second"},
     RefusalRow{"preview", "picture.jpg", "FILE.png"},
     RefusalRow{"log_level", "loud", "error, warning, notice, info or debug"},
     RefusalRow{"accelerator", "teapot", "marcher"},
@@ -179,6 +194,61 @@ TEST(Config, TheSizeIsJudgedByTheAcceleratorWhicheverIsNamedFirst)
     EXPECT_TRUE(validate(default_config()));
 }
 
+const std::optional<drivers::LineSpec>& line_of(const Config& config, std::string_view name)
+{
+    const auto row = std::ranges::find(actions(), name, &Action::name);
+    return config.gpio.lines.at(static_cast<std::size_t>(row - actions().begin()));
+}
+
+TEST(Config, ActionsGetLinesAndLoseThem)
+{
+    Config config = default_config();
+    ASSERT_TRUE(set_line(config, "reset", "keys:4,active-low,pull-up"));
+    EXPECT_EQ(line_of(config, "reset"), drivers::parse_line_spec("keys:4,active-low,pull-up"));
+    ASSERT_TRUE(set_line(config, "lock", "none"));
+    EXPECT_FALSE(line_of(config, "lock"));
+    EXPECT_TRUE(line_of(config, "turn"));
+}
+
+struct LineRefusalRow
+{
+    std::string_view action;
+    std::string_view text;
+    std::string_view message; ///< what it must hold
+};
+constexpr std::array line_refusals = {
+    LineRefusalRow{"rest", "btn0",
+                   "gpio_lines: unknown action 'rest'; there are reset, next_scene, "},
+    LineRefusalRow{"", "btn0", "unknown action ''"},
+    LineRefusalRow{"reset", "", "gpio_lines.reset: '' is not none or NAME or CHIP:OFFSET"},
+    LineRefusalRow{"reset", "btn0,loud", "'btn0,loud' is not none or NAME or CHIP:OFFSET"},
+    LineRefusalRow{"running", "led3,pull-up",
+                   "gpio_lines.running: 'led3,pull-up' is not for an LED"},
+};
+
+TEST(Config, EveryRefusalOfALineNamesWhatIsAllowed)
+{
+    for (const LineRefusalRow& row : line_refusals) {
+        Config config = default_config();
+        const auto result = set_line(config, row.action, row.text);
+        ASSERT_FALSE(result) << row.action << '=' << row.text;
+        EXPECT_EQ(result.error().kind, ErrorKind::Config);
+        EXPECT_NE(result.error().message.find(row.message), std::string::npos)
+            << result.error().message;
+    }
+}
+
+TEST(Config, ALineHasOneAction)
+{
+    Config config = default_config();
+    ASSERT_TRUE(set_line(config, "turn", "btn0"));
+    const auto result = validate(config);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().message, "gpio_lines: reset and turn are both btn0");
+    ASSERT_TRUE(set_line(config, "reset", "none"));
+    EXPECT_TRUE(validate(config));
+}
+
 TEST(Config, AnUnknownSettingIsRefused)
 {
     Config config = default_config();
@@ -220,6 +290,20 @@ TEST_F(ConfigFile, StringsNumbersAndBooleans)
     EXPECT_EQ(config.emulated.threads, 3U);
     EXPECT_EQ(config.emulated.size, (protocol::PictureSize{8, 6}));
     EXPECT_EQ(config.replies, Replies::All); // what is not named stays
+}
+
+TEST_F(ConfigFile, TheTableOfLines)
+{
+    ASSERT_TRUE(read("gpio_orbit_rate = 30\n[gpio_lines]\nreset = \"none\"\n"
+                     "heartbeat = \"/dev/gpiochip0:7,active-low\"\n"));
+    EXPECT_EQ(config.gpio.orbit_rate, 30U);
+    EXPECT_FALSE(line_of(config, "reset"));
+    EXPECT_EQ(line_of(config, "heartbeat"),
+              drivers::parse_line_spec("/dev/gpiochip0:7,active-low"));
+    EXPECT_TRUE(line_of(config, "turn")); // what is not named stays
+    expect_error("[gpio_lines]\n\nbuzzer = \"x\"\n", 3, "unknown action 'buzzer'; there are reset");
+    expect_error("[gpio_lines]\nreset = [1]\n", 2, "reset");
+    expect_error("gpio_lines = \"btn0\"\n", 1, "[gpio_lines]");
 }
 
 TEST_F(ConfigFile, AnEmptyFileIsOne)

@@ -6,12 +6,14 @@
 #include "protocol/assignments.hpp"
 #include "protocol/checksum.hpp"
 #include "protocol/commands.hpp"
+#include "protocol/views.hpp"
 #include "tests/fakes/descriptions.hpp"
 #include "tests/fakes/service.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,6 +81,39 @@ TEST(Controller, LockedRefusesWhateverWrites)
     EXPECT_NE(service.say("STATUS\n").find(" locked=on"), std::string::npos);
     service.controller.set_locked(false);
     EXPECT_EQ(service.say("SET ZM=4\n"), "OK seq=1 changed=1\r\n");
+}
+
+TEST(Controller, RefusedIsSaidOfTheLastLineThatWasToWrite)
+{
+    Service service;
+    const auto refused_after = [&](const std::string& line) {
+        static_cast<void>(service.say(line + "\n"));
+        return service.controller.last_refused();
+    };
+    EXPECT_FALSE(refused_after("SET ZM=4"));
+    for (const std::string bad :
+         {"FX=2", "SET ZM=11", "SET", "PRESET nosuch", "garbage\x01", "NOPE"}) {
+        EXPECT_TRUE(refused_after(bad)) << bad;
+        EXPECT_TRUE(refused_after("STATUS")) << "a line that reads changes nothing";
+        EXPECT_FALSE(refused_after("SET ZM=4")) << bad;
+        EXPECT_FALSE(refused_after("HELP nothing")) << "nor does one that is refused";
+    }
+    service.controller.set_locked(true);
+    EXPECT_TRUE(refused_after("SET ZM=4"));
+}
+
+TEST(Controller, ButtonsWorkWhileHostsAreLockedOut)
+{
+    Service service;
+    service.controller.set_locked(true);
+    service.controller.to_next_scene();
+    EXPECT_EQ(service.say("GET OBJ\n"), "OK OBJ=cube\r\n");
+    service.controller.orbit(Side::Right);
+    EXPECT_GT(service.controller.state().codes[marcher::FX], 0);
+    service.controller.to_defaults();
+    EXPECT_EQ(service.controller.state(), protocol::initial_state(marcher::description));
+    EXPECT_EQ(service.storage.changes.size(), 3U);
+    EXPECT_EQ(service.controller.applied(), 0U);
 }
 
 TEST(Controller, ABasisThatNoCameraHas)
@@ -276,6 +311,38 @@ TEST_P(EveryController, WhatGetSaysIsTakenBySet)
     }
     EXPECT_EQ(service.controller.state(), state);
     EXPECT_EQ(service.board.words, protocol::pack(accelerator, state));
+}
+
+TEST_P(EveryController, ButtonsDoSomethingAndUndoIt)
+{
+    const protocol::State initial = protocol::initial_state(accelerator);
+    for (const Side side : {Side::Left, Side::Right}) {
+        service.controller.orbit(side);
+        EXPECT_FALSE(service.controller.state() == initial);
+        service.controller.to_defaults();
+        EXPECT_EQ(service.controller.state(), initial);
+    }
+    service.controller.to_next_scene();
+    service.controller.to_next_scene();
+    EXPECT_FALSE(service.controller.state() == initial);
+    EXPECT_EQ(service.board.words, protocol::pack(accelerator, service.controller.state()));
+}
+
+TEST_P(EveryController, WhatTheBoardDoesNotTakeAButtonDoesNotDo)
+{
+    service.controller.to_next_scene();
+    const protocol::State before = service.controller.state();
+    for (const Applied refused : {Applied::Absent, Applied::Failed}) {
+        service.board.outcome = refused;
+        service.controller.to_next_scene();
+        service.controller.to_defaults();
+        service.controller.orbit(Side::Left);
+        EXPECT_EQ(service.controller.state(), before);
+    }
+    service.board.outcome = Applied::Written;
+    service.controller.to_next_scene(); // the very next, none was passed over
+    std::optional<std::size_t> shown = 0;
+    EXPECT_EQ(service.controller.state(), protocol::next_scene(accelerator, before, shown));
 }
 
 /// What a person may ask, each line of it with a mark: the longest that replies become.

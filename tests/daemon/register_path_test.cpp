@@ -72,6 +72,7 @@ TEST(Probe, APlainBlockIsOnlyAskedForItsId)
     EXPECT_FALSE(path->extended());
     EXPECT_EQ(path->accelerator().name, "marcher");
     EXPECT_EQ(path->frames(), 0U);
+    EXPECT_EQ(path->status(), 0U);
     EXPECT_EQ(bus.take_accesses(), Accesses{"R 20"});
 }
 

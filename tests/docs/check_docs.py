@@ -46,6 +46,7 @@ def check_service(build: Path) -> list[str]:
     text = manual_text(page)
     found = compare(page.name, manual_options(text), option_names(run(build / "raymarchd", "--help")))
     example = (ROOT / "systemd/raymarchd.toml").read_text()
+    example = example.split("\n#[")[0]  # the tables have parts of their own, printed by dump_tables
     for name, default in re.findall(r'^#(\w+) = "?([^"\n]+)"?$', example, re.MULTILINE):
         head = rf'^\.BR {name} ", " --{name.replace("_", "-")} .*?'
         entry = re.search(head + r'(?=^\.BR \w+ ", " --|^\.SH)', text, re.MULTILINE | re.DOTALL)
@@ -56,20 +57,28 @@ def check_service(build: Path) -> list[str]:
     return found
 
 
+def subcommand_names(help_text: str) -> list[str]:
+    """The subcommands that a --help prints, if it has any."""
+    return re.findall(r"^  ([a-z]+) ", help_text.partition("Subcommands:")[2], re.MULTILINE)
+
+
 def check_tool(build: Path) -> list[str]:
     """Options of raymarchctl and of its subcommands, each in the subcommand's own part of the page."""
     page = ROOT / "docs/man/raymarchctl.1"
     text = manual_text(page)
     program = build / "raymarchctl"
     general = run(program, "--help")
-    subcommands = re.findall(r"^  ([a-z]+) ", general.split("Subcommands:")[1], re.MULTILINE)
+    subcommands = subcommand_names(general)
     parts = dict(re.findall(r"^\.SS (\w+)\n(.*?)(?=^\.S[SH]|\Z)", text, re.MULTILINE | re.DOTALL))
     common = manual_options(text.split(".SH SUBCOMMANDS")[0].split(".SH OPTIONS")[1])
 
     found: list[str] = []
     printed = option_names(general)
     for name in subcommands:
-        options = option_names(run(program, name, "--help"))
+        help_text = run(program, name, "--help")
+        options = option_names(help_text)
+        for verb in subcommand_names(help_text):
+            options |= option_names(run(program, name, verb, "--help"))
         printed |= options
         if name not in parts:
             found.append(f"{page.name}: the subcommand {name} has no part")

@@ -8,7 +8,11 @@
 #include <sys/eventfd.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdint>
+#include <deque>
+#include <optional>
+#include <utility>
 
 namespace raymarch::test
 {
@@ -26,18 +30,36 @@ class MemoryPin final : public drivers::Pin
         return {};
     }
     [[nodiscard]] int edge_fd() const noexcept override { return edges_; }
-
-    /// Somebody presses or lets go.
-    void drive(bool on)
+    [[nodiscard]] Result<std::optional<drivers::Edge>> take_edge() override
     {
-        const std::uint64_t one = on == level_ ? 0 : 1;
-        level_ = on;
-        if (one != 0) [[maybe_unused]]
-            const auto written = ::write(edges_, &one, sizeof one);
+        std::uint64_t ignored = 0;
+        [[maybe_unused]] const auto read = ::read(edges_, &ignored, sizeof ignored);
+        if (waiting_.empty())
+            return std::optional<drivers::Edge>();
+        const drivers::Edge next = waiting_.front();
+        waiting_.pop_front();
+        wake(!waiting_.empty());
+        return std::optional(next);
+    }
+
+    /// Somebody presses or lets go, at a time of the line's own clock.
+    void drive(bool on, std::chrono::nanoseconds at = {})
+    {
+        if (on != std::exchange(level_, on))
+            waiting_.push_back({on, at});
+        wake(!waiting_.empty());
     }
 
   private:
+    void wake(bool wanted) const
+    {
+        const std::uint64_t one = 1;
+        if (wanted) [[maybe_unused]]
+            const auto written = ::write(edges_, &one, sizeof one);
+    }
+
     int edges_;
+    std::deque<drivers::Edge> waiting_;
     bool level_ = false;
 };
 

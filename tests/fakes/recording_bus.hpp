@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -31,7 +33,14 @@ class RecordingBus final : public drivers::RegisterBus
     }
     [[nodiscard]] int interrupt_fd() const noexcept override { return interrupt; }
     void arm_interrupt() noexcept override { accesses_.emplace_back("arm"); }
-    [[nodiscard]] Result<std::uint32_t> take_interrupt() override { return 1U; }
+    [[nodiscard]] Result<std::uint32_t> take_interrupt() override
+    {
+        std::uint64_t events = 0;
+        static_cast<void>(::read(interrupt, &events, sizeof events)); // of an eventfd, if it is one
+        if (interrupt_breaks)
+            return fail(plain_error(ErrorKind::InputOutput, "the line is broken"));
+        return interrupts;
+    }
     [[nodiscard]] bool lost() const noexcept override { return is_lost; }
 
     /// The accesses since the last call, in order: "R 38", "W 34=00000001".
@@ -40,6 +49,8 @@ class RecordingBus final : public drivers::RegisterBus
     std::map<std::uint16_t, std::uint32_t> memory;        ///< what was written, by offset
     std::map<std::uint16_t, std::uint32_t> stuck_at_zero; ///< bits that do not read back
     int interrupt = -1;
+    std::uint32_t interrupts = 1;  ///< the device's count of them
+    bool interrupt_breaks = false; ///< taking one fails
     bool is_lost = false;
 
   private:

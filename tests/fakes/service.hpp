@@ -31,6 +31,8 @@ struct FakeBoard final : daemon::Board
             used = &accelerator;
         return emulated;
     }
+    [[nodiscard]] daemon::Health health() override { return present; }
+    daemon::Health present{.fault = false, .running = true};
     bool emulated = false;
     const protocol::Accelerator* used = nullptr; ///< the last that was asked for
     daemon::Applied outcome = daemon::Applied::Written;

@@ -26,6 +26,7 @@ struct World final : daemon::Board, daemon::Storage, daemon::StatusSource
         words = to;
         return daemon::Applied::Written;
     }
+    daemon::Health health() override { return {}; }
     bool use(const protocol::Accelerator& /*accelerator*/) override { return true; }
     void changed(const Accelerator& /*accelerator*/, const State& /*state*/) override {}
     bool save(const Accelerator& accelerator, const State& state) override

@@ -17,7 +17,7 @@
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "marcher_stages_test.cpp"
+#define HWY_TARGET_INCLUDE "tests/identity/marcher_stages_test.cpp"
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>

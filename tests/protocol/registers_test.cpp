@@ -115,11 +115,30 @@ TEST_P(ParameterWords, EachBitOfEachParameterHasItsOwnPlace)
     EXPECT_EQ(bits, placed);
 }
 
+/// pack() is code made of whole pieces; this is what the slices say, one by one.
+TEST_P(ParameterWords, AreWhatTheSlicesSay)
+{
+    std::mt19937_64 random = test::seeded_random();
+    for (int round = 0; round < 200; ++round) {
+        const State state = test::random_state(accelerator, random);
+        Words expected(accelerator.word_count);
+        for (std::size_t i = 0; i < table.size(); ++i)
+            for (const Slice& slice : table[i].placement())
+                expected[slice.word] |=
+                    (static_cast<std::uint32_t>(static_cast<std::uint64_t>(state.codes[i]) >>
+                                                slice.shift) &
+                     slice.mask)
+                    << slice.lsb;
+        ASSERT_EQ(pack(accelerator, state), expected);
+    }
+}
+
 TEST_P(ParameterWords, LieInsideTheirPartOfThePage)
 {
     std::size_t last = 0;
-    for (const Field& field : accelerator.fields)
-        last = std::max<std::size_t>(last, field.slice.word);
+    for (const Parameter& parameter : table)
+        for (const Slice& slice : parameter.placement())
+            last = std::max<std::size_t>(last, slice.word);
     EXPECT_EQ(last + 1, accelerator.word_count);
     if (accelerator.kind == 0) { // the source's own layout, below the extended registers
         EXPECT_EQ(accelerator.first_word_offset, 0);

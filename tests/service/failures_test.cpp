@@ -2,6 +2,7 @@
 /// @file
 /// What is missing at the start or goes away later: the service stays up, says so, and finds it
 /// again.
+#include "protocol/registers.hpp"
 #include "service/support.hpp"
 
 #include <gtest/gtest.h>
@@ -67,6 +68,56 @@ TEST(Failures, WordThatChangedBehindOurBackIsReportedAndMended)
     EXPECT_EQ(host.ask("SET ZM=2"), "OK seq=1 changed=1");
     EXPECT_EQ(service.status("hardware"), "ok");
     EXPECT_EQ(service.words()[3], original_words[3]);
+}
+
+/// A file that says it is an extended block; its STATUS is ours to write.
+TEST(Failures, FaultThatTheBlockItselfReportsIsTold)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder / "registers";
+    std::ofstream(path) << std::string(4096, '\0');
+    const UniqueFd file(::open(path.c_str(), O_RDWR | O_CLOEXEC));
+    const auto write = [&](protocol::Register at, std::uint32_t word) {
+        return ::pwrite(file.get(), &word, sizeof word, static_cast<off_t>(at)) == sizeof word;
+    };
+    ASSERT_TRUE(write(protocol::Register::Id, protocol::id_value));
+    const Service service(folder);
+    ASSERT_TRUE(service.ready());
+    EXPECT_EQ(service.status("block"), "extended");
+    EXPECT_EQ(service.status("hardware"), "ok");
+    ASSERT_TRUE(write(protocol::Register::Status, protocol::status::fault));
+    EXPECT_EQ(service.status("hardware"), "fault");
+    ASSERT_TRUE(write(protocol::Register::Status, 0));
+    EXPECT_EQ(service.status("hardware"), "ok");
+}
+
+TEST(Failures, GpioLinesThatNoMachineHasAreNoMatter)
+{
+    const TemporaryFolder folder;
+    std::ofstream config(folder / "lines.toml");
+    config << "[gpio_lines]\nreset = \"/dev/raymarch-no-such-chip:0\"\n";
+    for (const char* const other :
+         {"next_scene", "orbit_left", "orbit_right", "lock", "turn", "heartbeat", "accepted",
+          "refused", "running", "colour_red", "colour_green", "colour_blue", "dark_red",
+          "dark_green", "dark_blue"})
+        config << other << " = \"none\"\n";
+    config.close();
+    const Service service(folder, {"--config", folder / "lines.toml"});
+    ASSERT_TRUE(service.ready());
+    EXPECT_EQ(service.status("gpio"), "down");
+    EXPECT_TRUE(eventually([&] {
+        return service.process.errors().find("GPIO line /dev/raymarch-no-such-chip:0: No such") !=
+               std::string::npos;
+    }));
+    EXPECT_EQ(Host::on_socket(service.control()).ask("SET ZM=2"), "OK seq=1 changed=1");
+}
+
+TEST(Failures, GpioCanBeSwitchedOff)
+{
+    const TemporaryFolder folder;
+    const Service service(folder, {"--gpio", "none"});
+    ASSERT_TRUE(service.ready());
+    EXPECT_EQ(service.status("gpio"), "none");
 }
 
 TEST(Failures, SocketLeftByAKilledServiceIsReplaced)

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "drivers/logic_loader.hpp"
+
+#include "drivers/atomic_file.hpp"
+#include "drivers/device_tree_overlay.hpp"
+#include "drivers/fpga_manager.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <functional>
+
+namespace raymarch::drivers
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr const char* live_tree = "firmware/devicetree/base";
+
+/// Undoes what was done, last first, unless it has been kept.
+class Undo
+{
+  public:
+    Undo() = default;
+    Undo(const Undo&) = delete;
+    Undo& operator=(const Undo&) = delete;
+    ~Undo()
+    {
+        for (auto step = steps_.rbegin(); step != steps_.rend(); ++step)
+            (*step)();
+    }
+    void add(std::function<void()> step) { steps_.push_back(std::move(step)); }
+    void keep() { steps_.clear(); }
+
+  private:
+    std::vector<std::function<void()>> steps_;
+};
+
+/// The `.bin` into the firmware folder, in place of an earlier one.
+Result<void> install(const KernelTree& tree, std::span<const std::uint8_t> bin, Undo& undo)
+{
+    const std::string path = tree.beside(fmt::format("{}/{}", firmware_folder, overlay_firmware));
+    auto before = read_file(path, largest_bitstream_file);
+    if (auto written = replace_file(path, bin, Durability::Durable); !written)
+        return written;
+    undo.add([path, before = std::move(before)] {
+        std::error_code ignored; // what made it necessary is told
+        if (!before)
+            fs::remove(path, ignored);
+        else
+            static_cast<void>(replace_file(path, as_bytes(*before), Durability::Durable));
+    });
+    return {};
+}
+
+Result<void> require_features(const KernelTree& tree)
+{
+    const auto missing = missing_features(tree);
+    if (missing.empty())
+        return {};
+    return fail(plain_error(ErrorKind::Unavailable,
+                            fmt::format("this kernel cannot load the logic and its overlay: {}",
+                                        fmt::join(missing, "; "))));
+}
+
+} // namespace
+
+std::vector<std::string> missing_features(const KernelTree& tree)
+{
+    std::vector<std::string> missing;
+    const auto missing_at = [&](std::string_view path, std::string_view why) {
+        missing.push_back(fmt::format("{} is missing ({})", tree.path(path), why));
+    };
+    const auto manager = find_fpga_manager(tree);
+    if (!manager)
+        missing_at("class/fpga_manager/*", "an FPGA manager: CONFIG_FPGA_MGR_ZYNQ_FPGA, and the "
+                                           "device tree's devcfg");
+    else if (!manager->takes_firmware && tree.entries("class/fpga_region").empty())
+        missing_at(manager->folder + "/firmware",
+                   "a vendor kernel's way to load the logic), and so is class/fpga_region/* (the "
+                   "overlay's way: CONFIG_OF_FPGA_REGION");
+    if (!tree.exists("kernel/config"))
+        missing_at("kernel/config", "configfs: CONFIG_CONFIGFS_FS, and mounted");
+    else if (!tree.exists(overlays_folder))
+        missing_at(overlays_folder, "overlays while the kernel runs: CONFIG_OF_CONFIGFS of a "
+                                    "vendor kernel; without it, apply the overlay before the "
+                                    "start");
+    return missing;
+}
+
+std::optional<bool> keeps_logic_clock(const KernelTree& tree)
+{
+    const std::string base = live_tree;
+    const auto bytes = read_file(tree.path(base + "/axi/slcr@f8000000/clkc@100/fclk-enable"),
+                                 sizeof(std::uint32_t));
+    if (!bytes || bytes->size() != sizeof(std::uint32_t))
+        return std::nullopt;
+    const auto arguments = tree.line(base + "/chosen/bootargs").value_or("");
+    constexpr unsigned first_clock = 1;
+    return (static_cast<unsigned char>(bytes->back()) & first_clock) != 0 ||
+           arguments.find("clk_ignore_unused") != std::string::npos;
+}
+
+Result<void> load_logic(KernelTree& tree, const LogicFiles& files, const LogicDevice& device)
+{
+    const auto bitstream = parse_bitstream(as_bytes(files.bitstream), files.bitstream_name);
+    if (!bitstream)
+        return fail(bitstream.error());
+    if (auto fits = check_bitstream(*bitstream, device, files.bitstream_name); !fits)
+        return fits;
+    if (auto whole = check_overlay(as_bytes(files.overlay), files.overlay_name); !whole)
+        return whole;
+    if (auto able = require_features(tree); !able)
+        return able;
+    if (overlay_state(tree, overlay_name) != OverlayState::Absent)
+        return fail(
+            plain_error(ErrorKind::Unavailable,
+                        fmt::format("the overlay {} is there already ({}): unload it first",
+                                    overlay_name, to_text(overlay_state(tree, overlay_name)))));
+    Undo undo;
+    if (auto installed = install(tree, bin_of(*bitstream), undo); !installed)
+        return installed;
+    const auto manager = find_fpga_manager(tree);
+    if (manager->takes_firmware)
+        if (auto loaded = load_firmware(tree, *manager, overlay_firmware); !loaded)
+            return loaded;
+    if (auto applied = apply_overlay(tree, overlay_name, files.overlay); !applied)
+        return applied;
+    undo.add([&tree] { static_cast<void>(remove_overlay(tree, overlay_name)); });
+    if (auto runs = require_operating_logic(tree); !runs) // where the overlay was to load it
+        return runs;
+    undo.keep();
+    return {};
+}
+
+Result<bool> unload_logic(KernelTree& tree)
+{
+    switch (overlay_state(tree, overlay_name)) {
+    case OverlayState::Unknown:
+        return fail(plain_error(ErrorKind::Unavailable,
+                                fmt::format("this kernel knows no overlays: {} is missing",
+                                            tree.path(overlays_folder))));
+    case OverlayState::Absent:
+        return false;
+    case OverlayState::Loaded:
+    case OverlayState::Failed:
+        break;
+    }
+    if (auto removed = remove_overlay(tree, overlay_name); !removed)
+        return fail(removed.error());
+    return true;
+}
+
+} // namespace raymarch::drivers

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// multiplier.hpp and derivative.hpp in vectors. Compiled once for each instruction set.
+#if defined(RAYMARCH_ENGINE_MANDELBULB_FAST_MULTIPLIER) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYMARCH_ENGINE_MANDELBULB_FAST_MULTIPLIER
+#undef RAYMARCH_ENGINE_MANDELBULB_FAST_MULTIPLIER
+#else
+#define RAYMARCH_ENGINE_MANDELBULB_FAST_MULTIPLIER
+#endif
+
+#include "engine/mandelbulb/derivative.hpp"
+#include "engine/mandelbulb/fast/lanes-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace raymarch::engine::mandelbulb::HWY_NAMESPACE
+{
+
+inline constexpr int unit_bits = Q57<Int128>::fraction_bits;
+
+/// Ones from the leading one on down; a is below 2^width.
+template <int width>
+HWY_INLINE Vec filled(Vec a)
+{
+    if constexpr (width > 1) {
+        constexpr int half = width / 2;
+        a = filled<half>(a);
+        return hn::Or(a, hn::ShiftRight<half>(a));
+    } else {
+        return a;
+    }
+}
+
+/// How many bits it takes to write a: the index of the leading one, and one; 0 for 0.
+template <int width = 64>
+HWY_INLINE Vec bit_length(Vec a)
+{
+    return hn::PopulationCount(filled<width>(a));
+}
+
+/// Clears all but the `kept` bits from the leading one on: what lies above the lowest `kept` bits
+/// is as long as what is cleared.
+HWY_INLINE Vec keep(Vec a, int kept)
+{
+    if (kept >= all_bits)
+        return a;
+    const Vec above = shift_right(a, kept);
+    if (hn::AllTrue(Words(), hn::Eq(above, hn::Zero(Words()))))
+        return a;
+    const Vec cleared = kept >= 48   ? filled<16>(above)
+                        : kept >= 32 ? filled<32>(above)
+                                     : filled<64>(above);
+    return hn::AndNot(cleared, a);
+}
+
+/// Of what keep() has left of the factors.
+HWY_INLINE Vec kept_product(Vec a, Vec b)
+{
+    return shifted<unit_bits>(multiply(a, b));
+}
+
+/// As Powers; of the lower one what keep() leaves, which is all that the derivative takes.
+struct PowersBatch
+{
+    Batch kept_lower;
+    Batch upper;
+};
+
+HWY_INLINE PowersBatch powers(const Batch& r, int d, int kept)
+{
+    PowersBatch result;
+    for (std::size_t j = 0; j < in_flight; ++j) {
+        const Vec own = keep(r[j], kept);
+        Vec square = own;
+        int n = d - 1;
+        for (; n % 2 == 0; n /= 2)
+            square = keep(kept_product(square, square), kept);
+        Vec lower = square;
+        while ((n /= 2) != 0) {
+            square = keep(kept_product(square, square), kept);
+            if (n % 2 != 0)
+                lower = keep(kept_product(lower, square), kept);
+        }
+        result.kept_lower[j] = lower;
+        result.upper[j] = kept_product(lower, own);
+    }
+    return result;
+}
+
+/// fraction_bits is signed.
+struct DerivativeBatch
+{
+    Batch mantissa;
+    Batch fraction_bits;
+};
+
+/// d * r^(d-1) * dr + 1 takes 73 bits at most: r^(d-1) is below 32, and d at most 16.
+HWY_INLINE DerivativeBatch next_derivative(const DerivativeBatch& dr, const Batch& kept_power,
+                                           int d, int kept, DerivativeForm form)
+{
+    constexpr int overflow_bits = 16;
+    const Vec one = all(1);
+    const Vec factor = all(static_cast<std::uint64_t>(d));
+    DerivativeBatch next;
+    for (std::size_t j = 0; j < in_flight; ++j) {
+        const Vec fraction = dr.fraction_bits[j];
+        const DoubleWord whole = multiply(kept_power[j], keep(dr.mantissa[j], kept));
+        const Vec product = shifted<unit_bits>(whole);
+        const Vec first = multiply_halves(product, factor);
+        const Vec second = hn::Add(multiply_halves(hn::ShiftRight<32>(product), factor),
+                                   hn::ShiftRight<32>(first));
+        const Vec low = hn::Or(hn::ShiftLeft<32>(second), hn::And(first, all(0xFFFF'FFFF)));
+        const Vec added = hn::AndNot(sign_of(fraction), hn::Shl(one, hn::And(fraction, all(63))));
+        const Vec sum = hn::Add(low, added);
+        const Vec carry = hn::And(hn::VecFromMask(Words(), hn::Lt(sum, added)), one);
+        const Vec overflow = hn::Add(multiply_halves(hn::ShiftRight<unit_bits>(whole.high), factor),
+                                     hn::Add(hn::ShiftRight<32>(second), carry));
+        if (form == DerivativeForm::Saturating) {
+            const Vec fits = equal(overflow, hn::Zero(Words()));
+            next.mantissa[j] = hn::Or(hn::Not(fits), sum);
+            next.fraction_bits[j] = fraction;
+        } else {
+            const Vec slide = bit_length<overflow_bits>(overflow);
+            const Vec upper =
+                hn::ShiftLeft<1>(hn::Shl(overflow, hn::Sub(all(63), slide))); // 64 is no shift
+            next.mantissa[j] = hn::Or(upper, hn::Shr(sum, slide));
+            next.fraction_bits[j] = hn::Sub(fraction, slide);
+        }
+    }
+    return next;
+}
+
+} // namespace raymarch::engine::mandelbulb::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

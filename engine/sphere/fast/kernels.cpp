@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: MIT
+// The pixels of both designs in vectors, as rtl_pixel.cpp, prototype_pixel.cpp and sphere.cpp have
+// them. Highway compiles this file once for each instruction set.
+#include "engine/sphere/fast/kernels.hpp"
+
+#include "engine/sphere/fast/silhouette.hpp"
+#include "engine/sphere/frame.hpp"
+#include "engine/sphere/prototype_pixel.hpp"
+#include "engine/sphere/ray_sphere_unit.hpp"
+#include "engine/sphere/rtl_pixel.hpp"
+#include "engine/sphere/timeline.hpp"
+
+// No Isa names it.
+#undef HWY_DISABLED_TARGETS
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/sphere/fast/kernels.cpp"
+#include <hwy/foreach_target.h>
+// Behind foreach_target.h. The plain C++ that Highway may end with is not used.
+#include <hwy/highway.h>
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 && HWY_HAVE_FLOAT64
+#include "engine/sphere/fast/ray_sphere_unit-inl.hpp"
+
+#include <algorithm>
+#include <array>
+
+HWY_BEFORE_NAMESPACE();
+namespace raymarch::engine::sphere::HWY_NAMESPACE
+{
+
+constexpr std::size_t lanes = HWY_LANES(double);
+using Reals = std::array<double, lanes>;
+
+/// Pixels at columns first, first + step, … of a row: up to `count`, and as many as there are
+/// lanes.
+struct Place
+{
+    PictureSize size;
+    unsigned first;
+    unsigned y;
+    unsigned step;
+    std::size_t count;
+};
+
+/// Where in a row each ball may be seen.
+using Seen = std::array<Span, max_balls>;
+
+/// What all pixels of a region share.
+struct Scene
+{
+    Frame frame; ///< held
+    Points eye;
+    std::array<Points, max_balls> eye_beside; ///< the eye from the balls' centres
+    std::array<RealVec, max_balls> eye_c;
+};
+
+HWY_INLINE RealVec radius_squared(const Ball& ball)
+{
+    return real(std::int64_t{ball.radius} * ball.radius);
+}
+
+HWY_INLINE Scene scene_of(const Frame& frame)
+{
+    Scene scene;
+    scene.frame = frame;
+    scene.eye = points(frame.eye);
+    for (std::size_t i = 0; i < max_balls; ++i) {
+        const Ball& ball = frame.balls[i];
+        scene.eye_beside[i] = difference(scene.eye, points(ball.centre));
+        scene.eye_c[i] =
+            hn::Sub(dot(scene.eye_beside[i], scene.eye_beside[i]), radius_squared(ball));
+    }
+    return scene;
+}
+
+/// The line from a pixel's point to a light.
+template <RuleSet rules>
+HWY_INLINE Strikes towards(const Points& light, const Points& point, const Ball& ball,
+                           std::int32_t derounder)
+{
+    const Points beside = difference(point, points(ball.centre));
+    const RealVec c = hn::Sub(dot(beside, beside), radius_squared(ball));
+    return intersect<rules, Reach::Segment>(point, light, beside, c, derounder);
+}
+
+/// Pixels of a vector, as they leave a design: channels and costs as integers.
+struct Shown
+{
+    std::array<RealVec, bytes_per_pixel> colour;
+    RealVec steps;
+    RealVec rays;
+    RealMask exact;
+};
+
+HWY_INLINE RealVec chosen(RealMask mask, RealVec yes, RealVec no)
+{
+    return hn::IfThenElse(mask, yes, no);
+}
+
+/// rtl_pixel() and what draw_row() makes of it.
+template <RuleSet rules>
+HWY_INLINE Shown rtl_pixels(const Scene& scene, const Points& target)
+{
+    const Frame& frame = scene.frame;
+    const auto period = [](Outcome outcome) { return real(row_of(outcome).period); };
+    const auto rays = [](Outcome outcome) { return real(row_of(outcome).rays); };
+    const Strikes strikes = intersect<rules, Reach::Ray>(scene.eye, target, scene.eye_beside[0],
+                                                         scene.eye_c[0], frame.derounder);
+    Shown shown;
+    shown.exact = strikes.exact;
+    shown.steps = chosen(strikes.misses, period(Outcome::Missed), period(Outcome::Behind));
+    shown.rays = rays(Outcome::Missed);
+    shown.colour.fill(real(0));
+    if (hn::AllFalse(Real(), strikes.hits))
+        return shown;
+
+    const Light& light = frame.lights[0];
+    const Strikes way =
+        towards<rules>(points(light.position), strikes.point, frame.balls[0], frame.derounder);
+    const RealVec power = real(std::int64_t{light.strength} * frame.calibration);
+    const auto at_light = hn::Eq(way.squared, real(0));
+    RealVec lit = quotient(power, chosen(at_light, real(1), way.squared));
+    if constexpr (rules == RuleSet::Corrected)
+        lit = chosen(at_light, real(rtl_white), hn::Max(lit, real(frame.shadow)));
+    else
+        lit = chosen(at_light, real(0), lit);
+    const RealVec shadowed = real(frame.shadow);
+    const RealVec value = hn::Min(chosen(way.hits, shadowed, lit), real(rtl_white));
+    const RealVec steps =
+        chosen(way.hits, period(Outcome::Shadowed),
+               chosen(way.misses, period(Outcome::LitClear), period(Outcome::LitRejected)));
+
+    shown.exact = hn::And(shown.exact, hn::Or(way.exact, hn::Not(strikes.hits)));
+    shown.steps = chosen(strikes.hits, steps, shown.steps);
+    shown.rays = chosen(strikes.hits, rays(Outcome::Shadowed), shown.rays);
+    const RealVec bright = hn::IfThenElseZero(strikes.hits, hn::Mul(value, real(17)));
+    shown.colour = {bright, bright, frame.tint == Tint::Grey ? bright : real(0)};
+    return shown;
+}
+
+/// prototype_pixel().
+template <RuleSet rules>
+HWY_INLINE Shown prototype_pixels(const Scene& scene, const Points& target, const Seen& seen,
+                                  const Place& place)
+{
+    const Real d;
+    const Frame& frame = scene.frame;
+    constexpr bool nearest = rules == RuleSet::Corrected;
+    RealMask visible = hn::MaskFromVec(real(0));
+    RealVec ball = real(0);
+    RealVec root = real(0);
+    Points point = scene.eye;
+    Shown shown;
+    shown.exact = hn::Not(visible);
+    shown.steps = real(static_cast<std::int64_t>(frame.ball_count));
+    shown.rays = real(1);
+    shown.colour.fill(real(0));
+    const auto first_column = static_cast<std::int32_t>(place.first);
+    const auto last_column = static_cast<std::int32_t>(place.first + (lanes - 1) * place.step);
+    for (std::size_t i = 0; i < frame.ball_count; ++i) {
+        if (last_column < seen[i].first || first_column >= seen[i].end)
+            continue;
+        const Strikes strikes = intersect<rules, Reach::Ray>(scene.eye, target, scene.eye_beside[i],
+                                                             scene.eye_c[i], frame.derounder);
+        shown.exact = hn::And(shown.exact, strikes.exact);
+        if (hn::AllFalse(d, strikes.hits))
+            continue;
+        const RealMask first = hn::AndNot(visible, strikes.hits);
+        const RealMask nearer =
+            nearest ? hn::Or(first, hn::And(strikes.hits, hn::Lt(strikes.root, root)))
+                    : strikes.hits;
+        ball = chosen(nearest ? nearer : first, real(static_cast<std::int64_t>(i)), ball);
+        root = chosen(nearer, strikes.root, root);
+        point = {chosen(nearer, strikes.point.x, point.x), chosen(nearer, strikes.point.y, point.y),
+                 chosen(nearer, strikes.point.z, point.z)};
+        visible = hn::Or(visible, strikes.hits);
+    }
+    if (hn::AllFalse(d, visible))
+        return shown;
+
+    constexpr std::int64_t white = 255;
+    RealVec brightness = real(0);
+    for (std::size_t j = 0; j < frame.light_count; ++j) {
+        const Light& light = frame.lights[j];
+        RealMask open = visible;
+        for (std::size_t i = 0; i < frame.ball_count; ++i) {
+            const Strikes way =
+                towards<rules>(points(light.position), point, frame.balls[i], frame.derounder);
+            shown.steps = hn::Add(shown.steps, hn::IfThenElseZero(open, real(1)));
+            shown.exact = hn::And(shown.exact, hn::Or(way.exact, hn::Not(open)));
+            open = hn::AndNot(way.hits, open);
+            if (hn::AllFalse(d, open))
+                break;
+        }
+        const Points way = difference(points(light.position), point);
+        const RealVec squared = dot(way, way);
+        const std::int64_t product = std::int64_t{light.strength} * frame.calibration;
+        const RealVec power = real(nearest ? product : static_cast<std::int32_t>(product));
+        const auto at_light = hn::Eq(squared, real(0));
+        const RealVec received = chosen(at_light, real(nearest ? white : 0),
+                                        quotient(power, chosen(at_light, real(1), squared)));
+        const RealVec sum = hn::Min(real(white), hn::Add(brightness, received));
+        const RealVec byte = real(256); // the low byte of it
+        const RealVec low =
+            hn::Sub(sum, hn::Mul(byte, hn::Floor(hn::Mul(sum, hn::Set(d, 0x1p-8)))));
+        brightness = chosen(open, low, brightness);
+    }
+    const RealVec shadow = real(frame.shadow);
+    for (std::size_t i = 0; i < bytes_per_pixel; ++i) {
+        const RealVec own = hn::Max(brightness, shadow);
+        const auto here = hn::Eq(ball, real(static_cast<std::int64_t>(i)));
+        shown.colour[i] = hn::IfThenElseZero(visible, chosen(here, own, shadow));
+    }
+    shown.rays =
+        chosen(visible, real(1 + static_cast<std::int64_t>(frame.light_count)), shown.rays);
+    return shown;
+}
+
+/// Pixels one by one, by the reference's own stages.
+void draw_alone(const Frame& frame, const Place& place, const Canvas& canvas)
+{
+    const std::size_t row = std::size_t{place.y} * place.size.width;
+    const auto y = static_cast<std::int32_t>(place.y);
+    for (std::size_t i = 0; i < place.count; ++i) {
+        const std::size_t column = place.first + i * place.step;
+        const auto x = static_cast<std::int32_t>(column);
+        std::array<std::uint8_t, bytes_per_pixel> colour{};
+        PixelCost cost;
+        if (frame.design == Design::Prototype) {
+            const PrototypePixel pixel = prototype_pixel(frame, x, y);
+            colour = pixel.colour;
+            cost = {.steps = pixel.evaluations, .rays = pixel.rays};
+        } else {
+            const RtlPixel pixel = rtl_pixel(frame, x, y);
+            const auto bright = static_cast<std::uint8_t>(17 * pixel.value);
+            colour = {bright, bright, frame.tint == Tint::Grey ? bright : std::uint8_t{0}};
+            cost = {.steps = row_of(pixel.outcome).period, .rays = row_of(pixel.outcome).rays};
+        }
+        std::copy(colour.begin(), colour.end(), &canvas.rgb[bytes_per_pixel * (row + column)]);
+        if (!canvas.costs.empty())
+            canvas.costs[row + column] = cost;
+    }
+}
+
+void put(const Shown& shown, const Place& place, const Canvas& canvas)
+{
+    const hn::Rebind<std::int32_t, Real> integers;
+    const auto store = [&](RealVec v) {
+        HWY_ALIGN std::array<std::int32_t, lanes> to;
+        hn::Store(hn::DemoteTo(integers, v), integers, to.data());
+        return to;
+    };
+    const std::size_t row = std::size_t{place.y} * place.size.width + place.first;
+    const auto weighed = [](RealVec v, int weight) { return hn::Mul(v, real(weight)); };
+    const auto colours =
+        store(hn::Add(shown.colour[0], hn::Add(weighed(shown.colour[1], 1 << 8),
+                                               weighed(shown.colour[2], 1 << 16))));
+    for (std::size_t i = 0; i < place.count; ++i) {
+        std::uint8_t* const rgb = &canvas.rgb[bytes_per_pixel * (row + i * place.step)];
+        for (std::size_t channel = 0; channel < bytes_per_pixel; ++channel)
+            rgb[channel] = static_cast<std::uint8_t>(colours[i] >> 8 * channel);
+    }
+    if (canvas.costs.empty())
+        return;
+    const auto steps = store(shown.steps);
+    const auto rays = store(shown.rays);
+    for (std::size_t i = 0; i < place.count; ++i)
+        canvas.costs[row + i * place.step] = {.steps = static_cast<std::uint32_t>(steps[i]),
+                                              .rays = static_cast<std::uint32_t>(rays[i])};
+}
+
+/// Pixels that hit nothing.
+void put_nothing(const Place& place, PixelCost cost, const Canvas& canvas)
+{
+    const std::size_t row = std::size_t{place.y} * place.size.width + place.first;
+    if (place.step == 1)
+        std::fill_n(canvas.rgb.begin() + static_cast<std::ptrdiff_t>(bytes_per_pixel * row),
+                    bytes_per_pixel * place.count, std::uint8_t{0});
+    else
+        for (std::size_t i = 0; i < place.count; ++i)
+            std::fill_n(&canvas.rgb[bytes_per_pixel * (row + i * place.step)], bytes_per_pixel,
+                        std::uint8_t{0});
+    if (!canvas.costs.empty())
+        for (std::size_t i = 0; i < place.count; ++i)
+            canvas.costs[row + i * place.step] = cost;
+}
+
+template <RuleSet rules, bool is_prototype>
+void draw_region(const Frame& frame, const Region& region, const Canvas& canvas)
+{
+    const Real d;
+    const Scene scene = scene_of(frame);
+    const unsigned step = region.step;
+    const RealVec offsets = hn::Mul(hn::Iota(d, 0.0), real(step));
+    const std::size_t balls = is_prototype ? frame.ball_count : 1;
+    const PixelCost nothing =
+        is_prototype ? PixelCost{static_cast<std::uint32_t>(frame.ball_count), 1}
+                     : PixelCost{row_of(Outcome::Missed).period, row_of(Outcome::Missed).rays};
+    const Span columns{region.x, region.x + region.width};
+    const auto place_of = [&](unsigned y, std::size_t first, std::size_t count) {
+        return Place{region.size, region.x + static_cast<unsigned>(first) * step, y, step, count};
+    };
+    const std::size_t count = (region.width + step - 1U) / step; // of a row
+    for (unsigned y = region.y; y < unsigned{region.y} + region.height; y += step) {
+        Seen seen{};
+        Span any{columns.end, columns.first};
+        for (std::size_t i = 0; i < balls; ++i) {
+            seen[i] = silhouette(rules_of(frame.design, frame.faults), frame, frame.balls[i],
+                                 static_cast<std::int32_t>(y), columns);
+            if (seen[i].first < seen[i].end)
+                any = {std::min(any.first, seen[i].first), std::max(any.end, seen[i].end)};
+        }
+        const auto pixels_before = [&](std::int32_t column) {
+            return (static_cast<std::size_t>(column - columns.first) + step - 1) / step;
+        };
+        const std::size_t end = any.first < any.end ? pixels_before(any.end) : 0;
+        std::size_t at = any.first < any.end ? pixels_before(any.first) : 0;
+        put_nothing(place_of(y, 0, at), nothing, canvas);
+        for (; at < end; at += lanes) {
+            const Place place = place_of(y, at, std::min(end - at, lanes));
+            const Points target = {hn::Add(real(place.first), offsets), real(y),
+                                   real(frame.screen)};
+            Shown shown;
+            if constexpr (is_prototype)
+                shown = prototype_pixels<rules>(scene, target, seen, place);
+            else
+                shown = rtl_pixels<rules>(scene, target);
+            if (hn::AllTrue(d, shown.exact))
+                put(shown, place, canvas);
+            else
+                draw_alone(frame, place, canvas);
+        }
+        put_nothing(place_of(y, end, count - end), nothing, canvas);
+    }
+}
+
+void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept
+{
+    const Frame frame = held(latch(words));
+    const bool corrected = frame.faults == Faults::Corrected;
+    if (frame.design == Design::Prototype)
+        return corrected ? draw_region<RuleSet::Corrected, true>(frame, region, canvas)
+                         : draw_region<RuleSet::Prototype, true>(frame, region, canvas);
+    if (corrected)
+        return draw_region<RuleSet::Corrected, false>(frame, region, canvas);
+    return frame.faults == Faults::Kept
+               ? draw_region<RuleSet::Rtl, false>(frame, region, canvas)
+               : draw_region<RuleSet::Repaired, false>(frame, region, canvas);
+}
+
+} // namespace raymarch::engine::sphere::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
+
+#if HWY_ONCE
+#include "engine/kernel_table.hpp"
+
+#include <array>
+
+namespace raymarch::engine::sphere
+{
+
+std::span<const Kernel> kernels() noexcept
+{
+#if HWY_ARCH_ARM_V7
+    return {}; // its vectors have no double
+#else
+    static constexpr std::array table = {RAYMARCH_KERNELS(draw)};
+    return table;
+#endif
+}
+
+} // namespace raymarch::engine::sphere
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// A bitstream that is taken is taken again as a `.bin`, as the same one, and stays as it is.
+#include "drivers/bitstream.hpp"
+#include "drivers/device_tree_overlay.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <vector>
+
+using namespace raymarch; // NOLINT(google-build-using-namespace)
+
+namespace
+{
+
+using Bytes = std::span<const std::uint8_t>;
+
+void check(Bytes bytes)
+{
+    const auto bitstream = drivers::parse_bitstream(bytes, "any");
+    if (!bitstream)
+        return;
+    static_cast<void>(drivers::check_bitstream(*bitstream, drivers::zynq_7020, "any"));
+    const auto bin = drivers::bin_of(*bitstream);
+    const auto again = drivers::parse_bitstream(bin, "again");
+    if (!again || again->form != drivers::BitstreamForm::Bin ||
+        again->idcode != bitstream->idcode || again->compressed != bitstream->compressed ||
+        drivers::bin_of(*again) != bin)
+        std::abort();
+}
+
+/// Behind a right beginning, or the fuzzer would hardly get past it.
+void check_behind(Bytes beginning, Bytes bytes)
+{
+    std::vector<std::uint8_t> whole(beginning.begin(), beginning.end());
+    whole.insert(whole.end(), bytes.begin(), bytes.end());
+    check(whole);
+}
+
+constexpr std::array<std::uint8_t, 25> bit_header = {
+    0x00, 0x09, 0x0F, 0xF0, 0x0F, 0xF0, 0x0F, 0xF0, 0x0F, 0xF0, 0x00, 0x00, 0x01,
+    'a',  0,    0,    'b',  0,    0,    'c',  0,    0,    'd',  0,    0};
+constexpr std::array<std::uint8_t, 12> bin_sync = {0x66, 0x55, 0x99, 0xAA, 0x01, 0x80,
+                                                   0x01, 0x30, 0x93, 0x70, 0x72, 0x03};
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    const Bytes bytes{data, size};
+    check(bytes);
+    check_behind(bin_sync, bytes);
+    check_behind(bit_header, bytes);
+
+    // With a length that is right, and a sync word and IDCODE of the form.
+    std::vector<std::uint8_t> bit(bit_header.begin(), bit_header.end());
+    const auto length = static_cast<std::uint32_t>(size + bin_sync.size());
+    bit.push_back('e');
+    for (int shift = 24; shift >= 0; shift -= 8)
+        bit.push_back(static_cast<std::uint8_t>(length >> shift));
+    for (std::size_t word = 0; word < bin_sync.size(); word += 4)
+        for (std::size_t i = 4; i-- > 0;)
+            bit.push_back(bin_sync[word + i]);
+    check_behind(bit, bytes);
+    static_cast<void>(drivers::check_overlay(bytes, "any"));
+    return 0;
+}
