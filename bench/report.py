@@ -45,8 +45,8 @@ def output(*command: str | Path) -> str:
                           check=True).stdout
 
 
-def number(value: float, unit: str) -> str:
-    return f"{value:,.{1 if unit in ('ns', 'us') else 0}f}"
+def number(value: float) -> str:
+    return f"{value:,.{0 if value >= 1000 else 1 if value >= 10 else 3}f}"
 
 
 def print_rows(rows: list[Row]) -> None:
@@ -54,5 +54,5 @@ def print_rows(rows: list[Row]) -> None:
     for row in rows:
         ratio = "-" if row.ratio is None else f"{row.ratio:.2f}"
         wanted = "" if row.wanted is None else f"{row.wanted:.2f}"
-        print(f"{row.question:<48}{number(row.value, row.unit):>9} {row.unit:<7}  {row.other:<28}"
-              f"{number(row.other_value, row.unit):>10}{ratio:>9}{wanted:>9}")
+        print(f"{row.question:<48}{number(row.value):>9} {row.unit:<7}  {row.other:<28}"
+              f"{number(row.other_value):>10}{ratio:>9}{wanted:>9}")

@@ -77,10 +77,9 @@ class Block : public testing::Test
     void open(BlockForm form = BlockForm::Extended,
               std::optional<std::chrono::milliseconds> patience = std::nullopt)
     {
-        auto opened =
-            EmulatedBlock::open(model,
-                                {.form = form, .size = size, .threads = 1, .patience = patience},
-                                [this](const engine::Image& image) { screen.take(image); });
+        auto opened = EmulatedBlock::open(
+            model, {.form = form, .size = size, .threads = 1, .patience = patience},
+            [this](const engine::Image& image) { screen.take(image); });
         ASSERT_TRUE(opened);
         block = std::move(*opened);
     }

@@ -44,7 +44,7 @@ class MandelbulbPreset : public testing::TestWithParam<protocol::Preset>
 
 TEST_P(MandelbulbPreset, IsDrawnTheSame)
 {
-    expect_drawn_the_same(state_of(GetParam().settings), whole({13, 7}));
+    expect_drawn_the_same(state_of(GetParam().settings), whole({7, 4}));
 }
 
 TEST_P(MandelbulbPreset, IsDrawnTheSameWithAllBits)
@@ -52,10 +52,10 @@ TEST_P(MandelbulbPreset, IsDrawnTheSameWithAllBits)
     State state = state_of(GetParam().settings);
     state.codes[table::N] = 57;
     state.codes[table::COLOUR] ^= 1;
-    expect_drawn_the_same(state, whole({7, 5}));
+    expect_drawn_the_same(state, whole({5, 3}));
     state.codes[table::N] = 64;
     state.codes[table::FORM] ^= 1;
-    expect_drawn_the_same(state, whole({5, 4}));
+    expect_drawn_the_same(state, whole({3, 2}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Mandelbulb, MandelbulbPreset, testing::ValuesIn(table::presets),

@@ -209,6 +209,17 @@ TEST(WhittedKernels, DrawScenesWithSomeRandomWords)
     }
 }
 
+/// In the original machine a ray along a plane can come so far that its height above another wraps.
+TEST(WhittedKernels, PointsFarFromAPlaneAreTheReferences)
+{
+    const auto* const room =
+        std::ranges::find(table::presets, "image2_room", &protocol::Preset::name);
+    ASSERT_NE(room, table::presets.end());
+    const protocol::Words words = words_of(room->settings, "PROFILE=measured,AA=8x,REFLECTIONS=3");
+    expect_identity(model, words,
+                    {.size = {512, 480}, .x = 320, .y = 130, .width = 12, .height = 8});
+}
+
 TEST(WhittedKernels, TilesMeetWithoutASeam)
 {
     // Tiles are 128 pixels wide: one row of each number of them, and of one pixel more or less.

@@ -29,6 +29,10 @@ template <Squares squares>
 HWY_INLINE Longs bits_of_double(Longs s)
 {
     const hn::Repartition<double, LongTag> doubles;
+#if HWY_TARGET == HWY_AVX3 // has it as an instruction, which cuts off
+    return hn::BitCast(LongTag(), hn::Vec<decltype(doubles)>{_mm512_cvt_roundepu64_pd(
+                                      s.raw, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC)});
+#else
     const Longs low_magic = hn::Set(LongTag(), 0x4330'0000'0000'0000); // 2^52
     if constexpr (squares == Squares::Small)
         return hn::BitCast(LongTag(), hn::Sub(hn::BitCast(doubles, hn::Or(s, low_magic)),
@@ -41,6 +45,7 @@ HWY_INLINE Longs bits_of_double(Longs s)
     const auto low = hn::OddEven(hn::BitCast(WordTag(), low_magic), hn::BitCast(WordTag(), safe));
     const auto upper = hn::Sub(hn::BitCast(doubles, high), hn::Set(doubles, 0x1.00000001p84));
     return hn::BitCast(LongTag(), hn::Add(upper, hn::BitCast(doubles, low)));
+#endif
 }
 
 template <Squares squares>

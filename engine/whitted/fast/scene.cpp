@@ -99,20 +99,34 @@ Extent extent_of(const Frame& frame) noexcept
     return extent;
 }
 
+/// How far away a point may be so that its height above every plane is a word: of the height,
+/// -point . normal - offset, the floor of the product takes up to 1.
+double reach_of_planes(const Frame& frame) noexcept
+{
+    double reach = bounds::reach;
+    if (frame.planes_drawn)
+        for (const Plane& plane : frame.planes)
+            reach =
+                std::min(reach, (bounds::word_end - 2 - std::abs(double(plane.offset.raw()))) *
+                                    (1 << fraction_bits) / std::max(1.0, length_of(plane.normal)));
+    return reach;
+}
+
 bool is_tame(const Frame& frame, const Extent& extent) noexcept
 {
     if (frame.planes_drawn)
         for (const Plane& plane : frame.planes)
             if (length_of(plane.normal) > bounds::plane_normal)
                 return false;
-    return extent.radius <= double{bounds::radius} * (1 << fraction_bits) &&
+    return reach_of_planes(frame) > 0 &&
+           extent.radius <= double{bounds::radius} * (1 << fraction_bits) &&
            extent.centre < bounds::reach;
 }
 
 void set_bounds(Scene& scene, const Extent& extent) noexcept
 {
     constexpr double rounding = 1 - 1.0 / (1 << 18); // of estimates that are held against them
-    const double reach = bounds::reach - extent.centre;
+    const double reach = std::min(bounds::reach - extent.centre, reach_of_planes(scene.frame));
     const double coordinate = bounds::word_end - 1 - extent.coordinate;
     const double near = std::min(reach, coordinate);
     scene.coordinate_bound = static_cast<std::int32_t>(coordinate);
