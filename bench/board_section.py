@@ -11,6 +11,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from statistics import median
 
 from command_section import SOURCE
 from frame_path import read_frames, words
@@ -94,7 +95,8 @@ def wait_for_quiet(processor: Processor, program: TerminalProgram) -> int:
 def behind_terminal(processor: Processor, command: list[str], rounds: int,
                     code: Callable[[float], int]) -> float:
     """Instructions a frame outside the kernel, of a whole program, one frame at a time: from one
-    wait for bytes to the next, all frames `rounds` times after once to warm up."""
+    wait for bytes to the next, all frames `rounds` times after once to warm up. The median: what
+    falls between two waits by the clock is no frame's."""
     processor.counter.write_bytes(bytes(8))
     frames = read_frames()
     expected = [struct.pack("8I", *page) for page in pages(code)]
@@ -110,7 +112,7 @@ def behind_terminal(processor: Processor, command: list[str], rounds: int,
                 program.drain()
                 counts.append(after - before)
                 before = after
-    return sum(counts[len(frames):]) / (rounds * len(frames))
+    return median(counts[len(frames):])
 
 
 def missing(build: Path) -> str | None:
