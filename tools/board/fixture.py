@@ -9,6 +9,10 @@ from pathlib import Path
 
 from machine import PATIENCE_S, Failed, Machine, Memory, Player, check
 
+# Of the extended registers, docs/registers.md.
+ID_WORD, CAPABILITY_WORD, STATUS_WORD = 8, 10, 14
+BUSY, PENDING = 1, 2  # STATUS
+
 
 def wait_until(condition: Callable[[], bool], what: Callable[[], str], pause_s: float = 0.05) -> None:
     """Looks again and again. Raises Failed with what() when it does not come."""

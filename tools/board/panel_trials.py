@@ -4,11 +4,8 @@
 import math
 import re
 
-from fixture import Board, wait_until
+from fixture import BUSY, STATUS_WORD, Board, wait_until
 from machine import check
-
-STATUS_WORD = 0x38 // 4
-BUSY = 1
 
 
 class Lines:
@@ -137,7 +134,8 @@ def taken(board: Board) -> str:
     machine = board.machine
     lines = Lines(board)
     machine.run("systemctl stop raymarchd")
-    machine.run("gpioset --mode=signal --background $(gpiofind led0)=1 && gpioset --mode=signal --background $(gpiofind btn1)=0")
+    for line in ("led0)=1", "btn1)=0"):
+        machine.run("gpioset --mode=signal --background $(gpiofind " + line)
     check(lines.value("led0"), "gpioset has not taken the line")
     machine.run("systemctl start raymarchd")
     machine.wait_for_service()

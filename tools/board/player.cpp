@@ -99,7 +99,7 @@ int play(const Options& options)
     for (;;) {
         if (memory.step())
             fmt::print("{}\n", words_line(**block, *accelerator));
-        std::fflush(stdout);
+        static_cast<void>(std::fflush(stdout));
         std::array waits = {pollfd{STDIN_FILENO, POLLIN, 0},
                             pollfd{(*block)->interrupt_fd(), POLLIN, 0}};
         ::poll(waits.data(), waits.size(), static_cast<int>(pause.count()));
@@ -115,6 +115,7 @@ int play(const Options& options)
 } // namespace
 } // namespace raymarch
 
+// Only a lack of memory throws here. NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv)
 {
     raymarch::Options options;
