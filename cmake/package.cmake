@@ -34,9 +34,12 @@ set(CPACK_COMPONENT_PICTURES_DESCRIPTION
 with OpenCV. PPM and TGA need no module.")
 
 if(CMAKE_CROSSCOMPILING)
-  # dpkg-shlibdeps looks at what is installed here; tools/package/depends.sh, whose answer ./dev
-  # package hands over, at the sysroot.
+  # CPack's way has dpkg-shlibdeps look at what is installed here; depends.cmake has it look at the
+  # sysroot.
   set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE armhf)
+  set(CPACK_PROJECT_CONFIG_FILE ${package}/depends.cmake)
+  set(CPACK_RAYMARCH_DEPENDS ${package}/depends.sh ${CMAKE_SYSROOT}
+      ${PROJECT_BINARY_DIR}/raymarchd ${PROJECT_BINARY_DIR}/raymarchctl)
 else()
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 endif()

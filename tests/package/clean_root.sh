@@ -33,6 +33,10 @@ chmod 755 "$work" # mmdebstrap may be another user inside
 }
 service=$(ls "$work"/made/raymarchd_*.deb)
 python3 "$source/tools/package/contents.py" --made-in "$source" --made-in "$build" "$work"/made/*.deb
+# The tool finds the modules of the other package; here, where OpenCV is.
+for package in "$work"/made/*.deb; do dpkg-deb -x "$package" "$work/both"; done
+"$work/both/usr/bin/raymarchctl" render --size 16x12 -o "$work/a.png"
+
 mkdir "$work/packages"
 cp "$work"/made/*.deb "$here/life.sh" "$work/packages"
 
