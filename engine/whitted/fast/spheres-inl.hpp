@@ -25,7 +25,7 @@ struct Approaching
 {
     Triple from;
     Triple direction;
-    Real3 from_;
+    Real3 twice_from_;
     Real3 direction_; ///< over 4096: of length 1
     Floats start;     ///< -direction . from, and the margin
     Floats squared;   ///< |from|^2, less the margin
@@ -33,14 +33,17 @@ struct Approaching
 
 HWY_INLINE Approaching approaching(const Scene& scene, const Triple& from, const Triple& direction)
 {
-    Approaching ray{.from = from, .direction = direction, .from_ = real(from)};
+    Approaching ray{.from = from, .direction = direction};
+    const Real3 from_ = real(from);
+    ray.twice_from_ = {hn::Add(from_.x, from_.x), hn::Add(from_.y, from_.y),
+                       hn::Add(from_.z, from_.z)};
     const Floats unit = all(1.0F / 4096.0F);
     ray.direction_ = {hn::Mul(real(direction.x), unit), hn::Mul(real(direction.y), unit),
                       hn::Mul(real(direction.z), unit)};
-    const Floats squared = dot(ray.from_, ray.from_, hn::Zero(reals));
+    const Floats squared = dot(from_, from_, hn::Zero(reals));
     const Margins& margins = scene.margins;
     const Floats margin = hn::MulAdd(squared, all(margins.along_squared), all(margins.along));
-    ray.start = hn::Sub(margin, dot(ray.direction_, ray.from_, hn::Zero(reals)));
+    ray.start = hn::Sub(margin, dot(ray.direction_, from_, hn::Zero(reals)));
     ray.squared = hn::MulAdd(squared, all(1.0F - margins.chord_squared), all(-margins.chord));
     return ray;
 }
@@ -62,8 +65,7 @@ HWY_INLINE Estimate estimate(const SphereColumns& spheres, std::size_t i, const 
 {
     const Real3 centre{all(spheres.x_[i]), all(spheres.y_[i]), all(spheres.z_[i])};
     Estimate to{.along = dot(ray.direction_, centre, ray.start)};
-    const Floats cross = dot(ray.from_, centre, hn::Zero(reals));
-    to.gap = hn::MulAdd(cross, all(2.0F), hn::Sub(all(spheres.gap[i]), ray.squared));
+    to.gap = dot(ray.twice_from_, centre, hn::Sub(all(spheres.gap[i]), ray.squared));
     to.half_chord = hn::MulAdd(to.along, to.along, to.gap);
     return to;
 }
@@ -196,8 +198,9 @@ HWY_INLINE SphereHit nearest_sphere(const Scene& scene, Approaching& ray, Ints o
         Lanes behind = exact.behind;
         if constexpr (skips_own)
             behind = either(behind, hn::Eq(own, all(static_cast<std::int32_t>(i))));
-        const Lanes meets = hn::Not(either(behind, exact.misses));
-        hit.lost = either(hit.lost, both(meets, hn::Gt(exact.along, all(bounds::along))));
+        const Lanes ahead = hn::Not(either(behind, passes));
+        hit.lost = either(hit.lost, both(ahead, hn::Gt(exact.along, all(bounds::along))));
+        const Lanes meets = without(ahead, exact.misses);
         if constexpr (R::counts)
             hit.cycles =
                 hn::Add(hit.cycles, choose(behind, all(cycles::behind),
