@@ -4,6 +4,7 @@
 /// away, and says how both stand.
 #include "console/subcommands.hpp"
 #include "drivers/atomic_file.hpp"
+#include "drivers/board_tree.hpp"
 #include "drivers/device_tree_overlay.hpp"
 #include "drivers/fpga_manager.hpp"
 #include "drivers/logic_loader.hpp"
@@ -47,9 +48,8 @@ void print_warnings(const KernelTree& tree)
     if (const auto device = drivers::find_uio(tree, drivers::overlay_uio_name); !device)
         warn(device.error().message + ": is the driver there, with uio_pdrv_genirq.of_id="
                                       "generic-uio on the kernel's command line?");
-    if (drivers::keeps_logic_clock(tree) == false)
-        warn("Linux stops the clock of the logic, FCLK0: fclk-enable of the device tree leaves it "
-             "out, and the kernel's command line has no clk_ignore_unused");
+    if (const auto runs = drivers::require_logic_clock(tree); !runs)
+        warn(runs.error().message);
 }
 
 int load(const Options& options)

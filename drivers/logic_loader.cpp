@@ -17,8 +17,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr const char* live_tree = "firmware/devicetree/base";
-
 /// Undoes what was done, last first, unless it has been kept.
 class Undo
 {
@@ -88,19 +86,6 @@ std::vector<std::string> missing_features(const KernelTree& tree)
                                     "vendor kernel; without it, apply the overlay before the "
                                     "start");
     return missing;
-}
-
-std::optional<bool> keeps_logic_clock(const KernelTree& tree)
-{
-    const std::string base = live_tree;
-    const auto bytes = read_file(tree.path(base + "/axi/slcr@f8000000/clkc@100/fclk-enable"),
-                                 sizeof(std::uint32_t));
-    if (!bytes || bytes->size() != sizeof(std::uint32_t))
-        return std::nullopt;
-    const auto arguments = tree.line(base + "/chosen/bootargs").value_or("");
-    constexpr unsigned first_clock = 1;
-    return (static_cast<unsigned char>(bytes->back()) & first_clock) != 0 ||
-           arguments.find("clk_ignore_unused") != std::string::npos;
 }
 
 Result<void> load_logic(KernelTree& tree, const LogicFiles& files, const LogicDevice& device)

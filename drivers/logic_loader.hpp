@@ -8,7 +8,6 @@
 #include "drivers/bitstream.hpp"
 #include "drivers/kernel_tree.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,10 +25,6 @@ inline constexpr const char* firmware_folder = "lib/firmware";
 /// What the kernel would need to load the logic and the overlay while it runs; a sentence each,
 /// none where it has all.
 [[nodiscard]] std::vector<std::string> missing_features(const KernelTree& tree);
-
-/// Whether Linux is told to leave the first clock of the logic (FCLK0) on; it stops the clocks that
-/// none of its drivers uses. Nothing where the device tree does not tell.
-[[nodiscard]] std::optional<bool> keeps_logic_clock(const KernelTree& tree);
 
 /// Two files, read.
 struct LogicFiles

@@ -190,22 +190,6 @@ TEST_F(Loading, MissingFeaturesAreNamed)
     EXPECT_EQ(unloaded.error().kind, ErrorKind::Unavailable);
 }
 
-TEST_F(Loading, TheClockOfTheLogicIsKeptOrNot)
-{
-    const std::string base = "firmware/devicetree/base";
-    const auto clock = kernel.path(base + "/axi/slcr@f8000000/clkc@100/fclk-enable");
-    EXPECT_EQ(keeps_logic_clock(kernel), std::nullopt);
-    test::write_text(clock, test::big_endian(0, 4));
-    EXPECT_EQ(keeps_logic_clock(kernel), false);
-    test::write_text(clock, test::big_endian(2, 4)); // another clock
-    EXPECT_EQ(keeps_logic_clock(kernel), false);
-    test::write_text(clock, test::big_endian(0xF, 4));
-    EXPECT_EQ(keeps_logic_clock(kernel), true);
-    test::write_text(clock, test::big_endian(0, 4));
-    test::write_text(kernel.path(base + "/chosen/bootargs"), "ro clk_ignore_unused quiet");
-    EXPECT_EQ(keeps_logic_clock(kernel), true);
-}
-
 TEST_F(Loading, AnOverlayIsLoadedAbsentFailedOrUnknown)
 {
     EXPECT_EQ(to_text(overlay_state(kernel, overlay_name)), "absent");

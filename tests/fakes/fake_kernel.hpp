@@ -6,6 +6,7 @@
 
 #include "drivers/device_tree_overlay.hpp"
 #include "drivers/kernel_tree.hpp"
+#include "tests/fakes/bitstreams.hpp"
 #include "tests/fakes/temporary_folder.hpp"
 
 #include <filesystem>
@@ -37,6 +38,21 @@ inline void add_fpga_manager(const std::string& root, const std::string& state)
     write_text(root + "/" + fpga0 + "/name", "Xilinx Zynq FPGA Manager\n");
     write_text(root + "/" + fpga0 + "/state", state + "\n");
     write_text(root + "/" + fpga0 + "/status", "");
+}
+
+/// What the live device tree of a Zynq says of itself.
+inline void make_zynq(const std::string& root)
+{
+    write_text(root + "/firmware/devicetree/base/compatible",
+               std::string("digilent,pynq-z1\0xlnx,zynq-7000", 33));
+}
+
+/// Which clocks of the logic Linux leaves on, a bit each.
+inline void set_fclk_enable(const std::string& root, std::uint32_t bits,
+                            const std::string& bus = "axi")
+{
+    write_text(root + "/firmware/devicetree/base/" + bus + "/slcr@f8000000/clkc@100/fclk-enable",
+               big_endian(bits, 4));
 }
 
 class FakeKernel final : public drivers::KernelTree

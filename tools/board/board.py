@@ -14,8 +14,9 @@ import tempfile
 import time
 from pathlib import Path
 
+from fixture import Board
 from machine import Failed, Machine, Memory, shell
-from trials import TRIALS, Board, install
+from trials import SHORT, TRIALS, install
 
 HERE = Path(__file__).resolve().parent
 CARD_BYTES = 1 << 30  # QEMU's cards have a power of two
@@ -79,6 +80,7 @@ def main() -> int:
     parser.add_argument("--folder", type=Path, required=True, help="for card, logs and the picture")
     parser.add_argument("--cuts", type=int, default=20, help="how often the power goes (default: 20)")
     parser.add_argument("--only", action="append", help="this trial, and the first two (repeatable)")
+    parser.add_argument("--short", action="store_true", help="the trials that one boot takes")
     parser.add_argument("--shell", action="store_true", help="a console in place of the trials")
     options = parser.parse_args()
 
@@ -102,8 +104,9 @@ def main() -> int:
                 shell(machine)
                 return 0
             names = list(TRIALS)
-            if options.only:
-                names = [name for name in names if name in names[:2] or name in options.only]
+            wanted = SHORT if options.short else options.only
+            if wanted:
+                names = [name for name in names if name in names[:2] or name in wanted]
             return 0 if try_all(board, names) else 1
         finally:
             board.stop_playing()

@@ -3,8 +3,9 @@
 # Builds the virtual board's kernel from Debian's own source package, cross compiled: Debian's
 # prebuilt kernels have neither this processor nor its UIO driver nor simulated GPIO lines.
 #
-#   kernel.sh CACHE     prints the folder that holds zImage, its configuration, and dts/
+#   kernel.sh CACHE [--cached]     prints the folder that holds zImage, its configuration, and dts/
 #
+# With --cached it is not built: status 77 when it is not there, or could not be built.
 # The folder's name is made from the source's version and the configuration, so a change of
 # either builds anew and nothing else does.
 set -eu
@@ -13,10 +14,17 @@ cache=$1
 fragment=$here/zynq-virtual.config
 jobs=$(nproc 2>/dev/null || echo 2)
 
-version=$(dpkg-query -W -f '${Version}' linux-source-6.1)
+version=$(dpkg-query -W -f '${Version}' linux-source-6.1 2>/dev/null) || {
+    echo "kernel.sh: the package linux-source-6.1 is not installed" >&2
+    exit 77
+}
 kernel=$cache/kernel-$version-$(sha256sum <"$fragment" | cut -c 1-12)
 
 if [ ! -d "$kernel" ]; then
+    if [ "${2:-}" = --cached ]; then
+        echo "kernel.sh: $kernel is not made yet" >&2
+        exit 77
+    fi
     echo "kernel.sh: building Linux $version for the virtual board (once, minutes)" >&2
     work=$kernel.new
     source=$work/linux-source-6.1

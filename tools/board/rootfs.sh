@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: MIT
 # Makes the SD card of the virtual board: Debian for armhf with systemd, and nothing of ours yet.
 #
-#   rootfs.sh CACHE     prints the name of the image, an ext4 file system
+#   rootfs.sh CACHE [--cached]     prints the name of the image, an ext4 file system
 #
-# Maintainer scripts of another architecture run through binfmt_misc and qemu-user; where the kernel
-# here has none of that, the message says what is missing.
+# Maintainer scripts of another architecture run through binfmt_misc and qemu-user. Status 77, and a
+# message that says what is missing, where the kernel here has none of that; with --cached also where
+# the card would have to be made.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cache=$1
@@ -16,6 +17,10 @@ tree=$cache/rootfs-build-$key
 log=$cache/rootfs-$key.log
 
 if [ ! -e "$image" ]; then
+    if [ "${2:-}" = --cached ]; then
+        echo "rootfs.sh: $image is not made yet" >&2
+        exit 77
+    fi
     echo "rootfs.sh: making Debian for the virtual board (once, minutes)" >&2
     # What a person's machine does at its boot, a container may not have done.
     mountpoint -q /proc/sys/fs/binfmt_misc ||
@@ -23,7 +28,7 @@ if [ ! -e "$image" ]; then
     arch-test armhf >/dev/null 2>&1 || update-binfmts --enable qemu-arm || true
     arch-test armhf >/dev/null 2>&1 || {
         echo "rootfs.sh: no armhf program runs here: binfmt_misc with qemu-arm is missing" >&2
-        exit 69
+        exit 77
     }
     rm -rf "$tree"
     # The mirror that apt has here; the release alone, which never changes under a build.

@@ -5,18 +5,17 @@ Each takes the Board, raises Failed when something is wrong, and returns what th
 
 import random
 import re
-import subprocess
 import time
-from pathlib import Path
 
-from machine import PATIENCE_S, Failed, Machine, Memory, Player, check
+import panel_trials
+from fixture import Board, wait_for_words, wait_until
+from machine import Failed, check
 
 PROTOCOL_ID = 0x524D4152
 ID_WORD = 0x20 // 4
 CAPABILITY_WORD = 0x28 // 4
 UIO = "43c00000.raymarch"
 DRIVER = "/sys/bus/platform/drivers/uio_pdrv_genirq"
-CONFIGURATION = "serial = \\\"/dev/ttyPS1@115200\\\"\\nregisters = \\\"uio-name:raymarch\\\"\\n"
 
 FRAMES = [
     "FX=0,FY=0,FZ=1,RX=1,RY=0,RZ=0,UX=0,UY=1,UZ=0,ZM=3,LX=3,LY=2,LZ=5,R=1,G=1,B=1,OBJ=sphere",
@@ -25,60 +24,6 @@ FRAMES = [
     "OBJ=infinite_cube",
     "FX=0,FY=0,FZ=-1,RX=-1,RY=0,RZ=0,UX=0,UY=1,UZ=0,ZM=0,LX=0,LY=0,LZ=-4,R=0.2,G=0.4,B=0.6,OBJ=tunnel",
 ]
-
-
-class Board:
-    """What the trials share: the machine, its memory, the programs of the host."""
-
-    def __init__(self, machine: Machine, memory: Memory, package: Path, programs: Path, cuts: int):
-        self.machine = machine
-        self.memory = memory
-        self.package = package
-        self.programs = programs
-        self.cuts = cuts
-        self.picture = machine.folder / "picture.png"
-        self.player: Player | None = None
-
-    def tool(self, *arguments: str) -> str:
-        return subprocess.run([self.programs / "raymarchctl", *arguments], check=True, text=True,
-                              capture_output=True).stdout
-
-    def words_of(self, line: str) -> list[int]:
-        reply = self.tool("encode", line).split()
-        return [int(word, 16) for word in reply if re.fullmatch("[0-9A-F]{8}", word)]
-
-    def play(self) -> Player:
-        self.player = Player(self.programs / "board_player", self.memory, self.machine,
-                             "--picture", str(self.picture))
-        return self.player
-
-    def stop_playing(self) -> None:
-        if self.player:
-            self.player.close()
-            self.player = None
-
-    def status(self) -> dict[str, str]:
-        reply = self.machine.ask("STATUS")
-        check(reply.startswith("OK"), f"STATUS: {reply}")
-        return dict(item.split("=", 1) for item in reply.split()[1:] if "=" in item)
-
-    def wait_for_status(self, key: str, value: str) -> None:
-        end = time.monotonic() + PATIENCE_S
-        while time.monotonic() < end:
-            if self.status().get(key) == value:
-                return
-            time.sleep(0.2)
-        raise Failed(f"{key}={value} did not come: {self.status()}")
-
-    def pid(self) -> int:
-        return int(self.machine.run("systemctl show -p MainPID --value raymarchd"))
-
-    def wait_for_restart(self, before: int) -> int:
-        """Until systemd says that another process is ready."""
-        self.machine.run(
-            f"until [ $(systemctl show -p MainPID --value raymarchd) != {before} ] && "
-            "systemctl is-active -q raymarchd; do sleep 0.2; done")
-        return self.pid()
 
 
 def install(board: Board) -> str:
@@ -93,7 +38,7 @@ def install(board: Board) -> str:
     # The console stays a login here; the service has the other port.
     machine.run("mkdir -p /etc/systemd/system/raymarchd.service.d && "
                 "ln -s /dev/null /etc/systemd/system/raymarchd.service.d/console.conf")
-    machine.run(f"printf \"{CONFIGURATION}\" >> /etc/raymarchd.toml && raymarchd --check-config")
+    machine.run("echo 'serial = \"/dev/ttyPS1@115200\"' >> /etc/raymarchd.toml && raymarchd --check-config")
     machine.shut_down()
     return board.package.name
 
@@ -104,13 +49,16 @@ def power_on(board: Board) -> str:
     board.machine.start()
     took = board.machine.wait_for_service()
     board.machine.log_in()
-    ready = int(board.machine.run("systemctl show -p ActiveEnterTimestampMonotonic --value raymarchd"))
+    ready = int(board.machine.run("systemctl show -p ActiveEnterTimestampMonotonic --value raymarchd")) / 1e6
+    # The machine's clock does not run as the world's does.
+    uptime, on = float(board.machine.run("cut -d' ' -f1 /proc/uptime")), time.monotonic() - board.machine.started
     status = board.status()
+    check(status["gpio"] == "up", f"the lines: {status}")
     check(status["hardware"] == "ok" and status["block"] == "extended", f"the registers: {status}")
     check(board.machine.run("systemctl show -p User --value raymarchd") == "raymarchd", "not its own user")
     link = board.machine.run("readlink -f /dev/raymarch")
     check(re.fullmatch(r"/dev/uio\d+", link) is not None, f"/dev/raymarch is {link}")
-    return f"READY {ready / 1e6:.1f} s after the kernel's start; first answer {took:.1f} s after power-on"
+    return f"READY {ready * on / uptime:.1f} s, first answer {took:.1f} s after power-on"
 
 
 def resident(board: Board) -> str:
@@ -139,15 +87,6 @@ def frames(board: Board) -> str:
     return f"{len(lines)} frames, {8 * len(lines)} words at 0x{board.memory.address:08X}"
 
 
-def wait_for_words(board: Board, wanted: list[int]) -> None:
-    """They are there with the reply, but where a commit was pending."""
-    end = time.monotonic() + PATIENCE_S
-    while list(board.memory.words[:8]) != wanted:
-        check(time.monotonic() < end, f"{[f'{w:08X}' for w in board.memory.words[:8]]} in place of "
-                                      f"{[f'{w:08X}' for w in wanted]}")
-        time.sleep(0.01)
-
-
 def show(board: Board, line: str) -> None:
     """Until the picture is that of the line."""
     player = board.player
@@ -158,10 +97,8 @@ def show(board: Board, line: str) -> None:
     player.wait("the words", lambda: player.words == wanted)
     rendered = board.machine.folder / "rendered.png"
     board.tool("render", "--registers", *wanted, "--size", "160x120", "-o", str(rendered))
-    end = time.monotonic() + PATIENCE_S
-    while not board.picture.exists() or board.picture.read_bytes() != rendered.read_bytes():
-        check(time.monotonic() < end, f"{line}: the picture is another one")
-        time.sleep(0.05)
+    wait_until(lambda: board.picture.exists() and board.picture.read_bytes() == rendered.read_bytes(),
+               lambda: f"{line}: the picture is another one")
 
 
 def pictures(board: Board) -> str:
@@ -175,9 +112,9 @@ def pictures(board: Board) -> str:
     drawn_before = int(board.status()["frames"])
     for line in FRAMES:
         show(board, line)
-    end = time.monotonic() + PATIENCE_S
-    while (drawn := int(board.status()["frames"]) - drawn_before) < len(FRAMES):
-        check(time.monotonic() < end, f"FRAMES counted {drawn}")
+    wait_until(lambda: int(board.status()["frames"]) >= drawn_before + len(FRAMES),
+               lambda: f"FRAMES are {board.status()['frames']}, before {drawn_before}")
+    drawn = int(board.status()["frames"]) - drawn_before
     after = int(board.machine.run("grep raymarch /proc/interrupts").split()[1])
     check(after > before, "no interrupt came")
     return f"{len(FRAMES)} pictures as raymarchctl draws them, FRAMES {drawn}, interrupts {after - before}"
@@ -378,6 +315,7 @@ TRIALS = {
     "resident memory": resident,
     "frames become words": frames,
     "words become pictures": pictures,
+    **panel_trials.TRIALS,
     "read-back mismatch": mismatch,
     "interrupt storm": storm,
     "each restriction bites": sandbox,
@@ -387,3 +325,6 @@ TRIALS = {
     "accelerator absent, then there": absent,
     "power cuts": power_cuts,
 }
+
+# Those of one boot that need no patience.
+SHORT = ["resident memory", "frames become words", "words become pictures", *panel_trials.TRIALS, "kill -9"]
