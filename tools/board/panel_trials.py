@@ -34,12 +34,15 @@ class Lines:
 
     def wait(self, name: str, level: bool) -> None:
         """On the board itself: what blinks may be over before an answer is here."""
-        self._machine.run(f"until grep -q {int(level)} {self.folder[name]}/value; do :; done")
+        self._machine.run(self._until(name, level))
+
+    def _until(self, name: str, level: bool) -> str:
+        """Of the shell alone: the start of a program takes longer than a blink."""
+        return f"until read v < {self.folder[name]}/value && [ $v = {int(level)} ]; do :; done"
 
     def watch(self, name: str, mark: str) -> str:
         """From now on; the returned command waits until the line was high."""
-        self._machine.run(f"rm -f /run/{mark}; (until grep -q 1 {self.folder[name]}/value; do :; done; "
-                          f"touch /run/{mark}) > /dev/null 2>&1 & true")
+        self._machine.run(f"rm -f /run/{mark}; ({self._until(name, True)}; touch /run/{mark}) > /dev/null 2>&1 & true")
         return f"until [ -e /run/{mark} ]; do sleep 0.05; done"
 
 
