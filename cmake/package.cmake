@@ -7,6 +7,7 @@ set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_COMPONENTS_ALL service)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
+set(CPACK_PRE_BUILD_SCRIPTS ${package}/folders.cmake)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "ray-marching accelerator on Zynq: service, tool and models")
 set(CPACK_PACKAGE_CONTACT "The raymarchd authors <raymarchd@packages.debian.org>")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -33,9 +34,12 @@ set(CPACK_COMPONENT_PICTURES_DESCRIPTION
 with OpenCV. PPM and TGA need no module.")
 
 if(CMAKE_CROSSCOMPILING)
-  # dpkg-shlibdeps looks at what is installed here; tools/package/depends.sh, whose answer ./dev
-  # package hands over, at the sysroot.
+  # CPack's way has dpkg-shlibdeps look at what is installed here; depends.cmake has it look at the
+  # sysroot.
   set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE armhf)
+  set(CPACK_PROJECT_CONFIG_FILE ${package}/depends.cmake)
+  set(CPACK_RAYMARCH_DEPENDS ${package}/depends.sh ${CMAKE_SYSROOT}
+      ${PROJECT_BINARY_DIR}/raymarchd ${PROJECT_BINARY_DIR}/raymarchctl)
 else()
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 endif()
