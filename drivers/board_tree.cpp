@@ -18,12 +18,16 @@ const std::string platform_devices = "bus/platform/devices";
 constexpr std::array enabled_clocks = {"/axi/slcr@f8000000/clkc@100/fclk-enable",
                                        "/amba/slcr@f8000000/clkc@100/fclk-enable"};
 constexpr unsigned first_clock = 1;
+/// The number of FCLK0 among all clocks (dt-bindings: xlnx,ps7-clkc), behind the controller's own.
+constexpr unsigned fclk0 = 15;
 
-/// A property of one cell, big endian; its low byte.
-std::optional<unsigned> low_byte(const KernelTree& tree, const std::string& property)
+/// The last of a property's cells, which are big endian; its low byte.
+std::optional<unsigned> low_byte(const KernelTree& tree, const std::string& property,
+                                 std::size_t cells)
 {
-    const auto bytes = read_file(tree.path(property), sizeof(std::uint32_t));
-    if (!bytes || bytes->size() != sizeof(std::uint32_t))
+    const std::size_t size = cells * sizeof(std::uint32_t);
+    const auto bytes = read_file(tree.path(property), size);
+    if (!bytes || bytes->size() != size)
         return std::nullopt;
     return static_cast<unsigned char>(bytes->back());
 }
@@ -39,7 +43,8 @@ bool has_clock_driver(const KernelTree& tree)
     return std::ranges::any_of(tree.entries(platform_devices), [&](const std::string& device) {
         const std::string folder = platform_devices + "/" + device;
         return tree.exists(folder + "/driver") &&
-               says(tree, folder + "/of_node/compatible", "xlnx,fclk");
+               says(tree, folder + "/of_node/compatible", "xlnx,fclk") &&
+               low_byte(tree, folder + "/of_node/clocks", 2) == fclk0;
     });
 }
 
@@ -53,7 +58,7 @@ bool is_zynq(const KernelTree& tree)
 std::optional<bool> keeps_logic_clock(const KernelTree& tree)
 {
     for (const char* const property : enabled_clocks)
-        if (const auto clocks = low_byte(tree, live_tree + property))
+        if (const auto clocks = low_byte(tree, live_tree + property, 1))
             return (*clocks & first_clock) != 0 ||
                    says(tree, live_tree + "/chosen/bootargs", "clk_ignore_unused") ||
                    has_clock_driver(tree);

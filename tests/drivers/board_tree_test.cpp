@@ -47,9 +47,16 @@ TEST_F(BoardTree, TheClockIsKeptByTheDeviceTreeTheCommandLineOrItsDriver)
 
     const std::string device = "bus/platform/devices/fclk0";
     write_text(tree.path(device + "/of_node/compatible"), std::string("xlnx,fclk\0", 10));
+    const auto set_clock = [&](std::size_t number) {
+        write_text(tree.path(device + "/of_node/clocks"),
+                   test::big_endian(1, 4) + test::big_endian(number, 4));
+    };
+    set_clock(15);
     EXPECT_EQ(keeps_logic_clock(tree), false) << "no driver has taken it";
     write_text(tree.path(device + "/driver/uevent"), "");
     EXPECT_EQ(keeps_logic_clock(tree), true);
+    set_clock(16);
+    EXPECT_EQ(keeps_logic_clock(tree), false) << "it keeps another one";
     std::filesystem::remove_all(tree.path(device));
 
     write_text(tree.path("firmware/devicetree/base/chosen/bootargs"), "ro clk_ignore_unused quiet");

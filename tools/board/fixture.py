@@ -11,7 +11,7 @@ from machine import PATIENCE_S, Failed, Machine, Memory, Player, check
 
 # Of the extended registers, docs/registers.md.
 ID_WORD, CAPABILITY_WORD, STATUS_WORD = 8, 10, 14
-BUSY, PENDING = 1, 2  # STATUS
+BUSY = 1  # STATUS
 
 
 def wait_until(condition: Callable[[], bool], what: Callable[[], str], pause_s: float = 0.05) -> None:
@@ -43,15 +43,36 @@ class Board:
         reply = self.tool("encode", line).split()
         return [int(word, 16) for word in reply if re.fullmatch("[0-9A-F]{8}", word)]
 
-    def play(self) -> Player:
+    def play(self, *options: str) -> Player:
         self.player = Player(self.programs / "board_player", self.memory, self.machine,
-                             "--picture", str(self.picture))
+                             "--picture", str(self.picture), *options)
         return self.player
 
     def stop_playing(self) -> None:
         if self.player:
             self.player.close()
             self.player = None
+
+    def play_again(self, *options: str) -> None:
+        """Other logic in the place of what was there. The service finds its words gone at the next update,
+        and writes them all at the one after it."""
+        self.stop_playing()
+        self.play(*options)
+        wait_until(lambda: all(self.machine.ask(line).startswith("OK") for line in ("SET ZM=1", "RESET")),
+                   lambda: f"STATUS: {self.status()}")
+        self.wait_for_status("hardware", "ok")
+
+    def afresh(self) -> None:
+        """Whatever a trial that failed has left: the power goes, and everything is there again."""
+        self.stop_playing()
+        if self.machine.process:
+            self.machine.cut()
+        self.memory.clear()
+        self.play()
+        self.machine.start()
+        self.machine.wait_for_service()
+        self.machine.log_in()
+        self.wait_for_status("hardware", "ok")
 
     def status(self) -> dict[str, str]:
         reply = self.machine.ask("STATUS")

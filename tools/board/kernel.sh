@@ -33,21 +33,20 @@ if [ ! -d "$kernel" ]; then
     rm -rf "$work"
     mkdir -p "$work"
     tar -C "$work" -xf /usr/src/linux-source-6.1.tar.xz
-    {
-        $make -s allnoconfig
-        cat "$fragment" >>"$source/.config"
-        $make -s olddefconfig
-        # What the fragment asks for and the kernel's own rules refuse is a mistake in the fragment.
-        refused=$(grep '^CONFIG' "$fragment" | grep -vxFf "$source/.config" || true)
-        if [ -n "$refused" ]; then
-            echo "not taken into the configuration: $refused"
-            false
-        fi
-        $make -s zImage
-    } >"$log" 2>&1 || {
+    give_up() {
         tail -n 30 "$log" >&2
         exit 1
     }
+    $make -s allnoconfig >"$log" 2>&1 || give_up
+    cat "$fragment" >>"$source/.config"
+    $make -s olddefconfig >>"$log" 2>&1 || give_up
+    # What the fragment asks for and the kernel's own rules refuse is a mistake in the fragment.
+    if grep '^CONFIG' "$fragment" | grep -vxFf "$source/.config" >"$work/refused"; then
+        echo "kernel.sh: not taken into the configuration:" >&2
+        cat "$work/refused" >&2
+        exit 1
+    fi
+    $make -s zImage >>"$log" 2>&1 || give_up
     mkdir "$work/dts"
     cp "$source/arch/arm/boot/zImage" "$work/"
     cp "$source/.config" "$work/config"

@@ -35,9 +35,16 @@ class Stream:
     """A socket of QEMU's, read until something is there."""
 
     def __init__(self, path: Path):
-        self._socket = socket.socket(socket.AF_UNIX)
-        self._socket.connect(str(path))
         self._seen = b""
+        for patience in range(500, -1, -1):
+            self._socket = socket.socket(socket.AF_UNIX)
+            try:
+                self._socket.connect(str(path))
+                return
+            except ConnectionRefusedError:  # it is bound, and listens in a moment
+                self._socket.close()
+                check(patience > 0, f"{path}: nobody listens")
+                time.sleep(0.01)
 
     def send(self, data: bytes) -> None:
         self._socket.sendall(data)
@@ -77,8 +84,9 @@ class Machine:
 
     def __init__(self, kernel: Path, tree: Path, disk: Path, folder: Path):
         self.folder = folder
+        # With this program it ends, however that is ended.
         self._command = [
-            "qemu-system-arm", "-M", "xilinx-zynq-a9,memory-backend=ram", "-smp", "1",
+            "setpriv", "--pdeathsig", "KILL", "qemu-system-arm", "-M", "xilinx-zynq-a9,memory-backend=ram", "-smp", "1",
             "-m", str(MEMORY_BYTES >> 20), "-object",
             f"memory-backend-file,id=ram,size={MEMORY_BYTES},mem-path={folder / 'memory'},share=on",
             "-kernel", str(kernel), "-dtb", str(tree),
@@ -230,7 +238,7 @@ class Player:
         if self._trigger:
             try:
                 self._machine.try_run(f"echo trigger > {self._trigger}")
-            except (Failed, OSError, TimeoutError):
+            except (Failed, OSError, TimeoutError, ValueError):
                 self._trigger = ""  # the machine has gone
 
     def raise_through(self, trigger: str) -> None:
@@ -245,8 +253,11 @@ class Player:
             check(self._changed.wait_for(condition, PATIENCE_S), f"{what}: did not come")
 
     def close(self) -> None:
-        self._process.communicate()
+        assert self._process.stdin and self._process.stdout
+        self._process.stdin.close()
+        self._process.wait()
         self._thread.join()
+        self._process.stdout.close()
 
 
 def shell(machine: Machine) -> None:

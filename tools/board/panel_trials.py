@@ -49,27 +49,41 @@ def heading(board: Board) -> float:
     return math.degrees(math.atan2(float(state["FX"]), float(state["FZ"])))
 
 
+def way(headings: list[float]) -> float:
+    """From the first to the last, through all between, which are less than half a turn apart."""
+    return sum((after - before + 180) % 360 - 180 for before, after in zip(headings, headings[1:]))
+
+
 def turned(board: Board, lines: Lines, name: str) -> float:
     """How far the camera turns from the defaults while the line is high; that it rests before and after."""
     board.machine.ask("RESET")
     board.wait_for_status("gpio", "up")
-    before = heading(board)
-    check(heading(board) == before, "the camera turns by itself")
+    seen = [heading(board), heading(board)]
+    check(seen[0] == seen[1], "the camera turns by itself")
     lines.set(name, True)
-    seen = {before}
+
+    def look() -> None:
+        seen.append(heading(board))
 
     def three_more() -> bool:
-        seen.add(heading(board))
-        return len(seen) > 3
+        look()
+        return len(set(seen)) > 3
     wait_until(three_more, lambda: f"{name}: headings {seen}")
     lines.set(name, False)
-    after = [heading(board)]
 
     def rests() -> bool:
-        after.append(heading(board))
-        return len(after) > 5 and len(set(after[-5:])) == 1
-    wait_until(rests, lambda: f"{name} is let go: headings {after}")
-    return after[-1] - before
+        look()
+        return len(set(seen[-5:])) == 1
+    wait_until(rests, lambda: f"{name} is let go: headings {seen}")
+    return way(seen)
+
+
+def turn_of(board: Board, side: str) -> float:
+    """What a step of the protocol's own does, from the defaults."""
+    board.machine.ask("RESET")
+    before = heading(board)
+    check(board.machine.ask(f"TURN {side}").startswith("OK"), f"TURN {side}")
+    return way([before, heading(board)])
 
 
 def buttons(board: Board) -> str:
@@ -83,7 +97,8 @@ def buttons(board: Board) -> str:
     lines.press("btn0")
     wait_until(lambda: board.present() == defaults, lambda: f"BTN0: {board.present()}")
     left, right = turned(board, lines, "btn2"), turned(board, lines, "btn3")
-    check(left * right < 0, f"both turn the same way: {left}, {right}")
+    check(left * turn_of(board, "left") > 0 and right * turn_of(board, "right") > 0,
+          f"not as TURN left and TURN right: {left}, {right}")
     board.machine.ask("RESET")
     return f"BTN0 defaults, BTN1 next scene, BTN2 held {left:+.0f} degrees, BTN3 held {right:+.0f}"
 
@@ -105,6 +120,7 @@ def leds(board: Board) -> str:
     lines = Lines(board)
     for level in (True, False, True):
         lines.wait("led0", level)
+    lines.wait("led1", False)
     seen = lines.watch("led1", "accepted")
     check(machine.ask("SET R=1,G=0,B=1").startswith("OK"), "SET")
     machine.run(seen)
@@ -123,7 +139,7 @@ def leds(board: Board) -> str:
     lines.wait("led3", True)
     board.memory.words[STATUS_WORD] &= ~BUSY
     lines.wait("led3", False)
-    board.play()
+    board.play_again()
     for name in ("led5_r", "led5_g", "led5_b"):
         check(not lines.value(name), f"{name} is lit")
     return "LD0 beats, LD1 blinks, LD2 refused, LD3 running, LD4 the eight colours, LD5 dark"
@@ -141,6 +157,7 @@ def taken(board: Board) -> str:
     machine.wait_for_service()
     check(board.status()["gpio"] == "partial", f"STATUS: {board.status()}")
     said = machine.run("journalctl -u raymarchd -b --no-pager | grep -E 'led0|btn1' | tail -n 2")
+    check("led0" in said and "btn1" in said, f"the journal: {said}")
     machine.run("pkill gpioset")
     board.wait_for_status("gpio", "up")
     for level in (True, False):

@@ -82,6 +82,8 @@ int play(const Options& options)
             plain_error(ErrorKind::Usage, "no accelerator is called " + options.accelerator),
             EX_USAGE);
     const UniqueFd file(::open(options.memory.c_str(), O_RDWR | O_CLOEXEC));
+    if (!file)
+        return report(errno_error(ErrorKind::InputOutput, "open", options.memory), EX_IOERR);
     void* const base = ::mmap(nullptr, protocol::register_page_bytes, PROT_READ | PROT_WRITE,
                               MAP_SHARED, file.get(), static_cast<off_t>(options.address));
     if (base == MAP_FAILED)

@@ -11,7 +11,7 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cache=$1
 packages=$(grep '^[a-z]' "$here/packages.txt" | paste -sd,)
-key=$(cat "$here/packages.txt" "$here/customize.sh" | sha256sum | cut -c 1-12)
+key=$(cat "$here/packages.txt" "$here/customize.sh" "$here/rootfs.sh" | sha256sum | cut -c 1-12)
 image=$cache/rootfs-$key.ext4
 tree=$cache/rootfs-build-$key
 log=$cache/rootfs-$key.log

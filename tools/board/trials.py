@@ -8,12 +8,11 @@ import re
 import time
 
 import panel_trials
-from fixture import CAPABILITY_WORD, ID_WORD, PENDING, STATUS_WORD, Board, wait_for_words, wait_until
+from fixture import CAPABILITY_WORD, ID_WORD, Board, wait_for_words, wait_until
 from machine import Failed, check
 
 PROTOCOL_ID = 0x524D4152
-STORM = 200  # interrupts
-UIO = "43c00000.raymarch"
+STORM = 20  # interrupts that the service takes
 DRIVER = "/sys/bus/platform/drivers/uio_pdrv_genirq"
 
 FRAMES = [
@@ -164,29 +163,32 @@ def mismatch(board: Board) -> str:
 
 
 def storm(board: Board) -> str:
-    """The line is raised as fast as the board can, while a commit is pending: the service arms the
-    interrupt again each time. A second frame waits for the end of it."""
-    board.stop_playing()
-    words = board.memory.words
+    """The line is raised as fast as the board can. The service arms it only while a commit waits for its
+    turn: so the pictures are large, and frames come faster than they."""
+    board.play_again("--width", "1280", "--height", "720")
+    errors = board.status()["readback_errors"]
     number = board.machine.run("grep -w raymarch /proc/interrupts").split()[0].rstrip(":")
-    before = int(board.status()["interrupts"])
-    first, second = (board.words_of(line) for line in FRAMES[:2])
-    check(board.machine.ask(FRAMES[0]).startswith("OK"), "a frame before")
-    wait_for_words(board, first)
-    words[STATUS_WORD] |= PENDING
-    board.machine.run("(n=0; while [ ! -e /run/calm ]; do echo trigger; n=$((n+1)); echo $n > /run/raised; "
-                      f"done > /sys/kernel/debug/irq/irqs/{number}) & true")
-    check(board.machine.ask(FRAMES[1]).startswith("OK"), "a frame meanwhile")
-    wait_until(lambda: int(board.status()["interrupts"]) >= before + STORM,
-               lambda: f"interrupts: {board.status()['interrupts']} after {before}")
-    check(list(words[:8]) == first, "a word was written while a commit was pending")
-    words[STATUS_WORD] &= ~PENDING
-    wait_for_words(board, second)
-    raised = board.machine.run("touch /run/calm; wait; rm /run/calm; cat /run/raised").split()[-1]
-    taken = int(board.status()["interrupts"]) - before
-    check(board.status()["hardware"] == "ok", "the registers are not ok")
-    board.play()
-    return f"raised {raised} times, {taken} taken; lines answered meanwhile, the frame that waited written whole"
+
+    def taken() -> int:
+        return int(board.status()["interrupts"])
+    before = taken()
+    board.machine.run("rm -f /run/calm; (n=0; while [ ! -e /run/calm ]; do echo trigger; n=$((n+1)); "
+                      f"echo $n > /run/raised; done > /sys/kernel/debug/irq/irqs/{number}) & true")
+    sent = 0
+    try:
+        while taken() < before + STORM:
+            line = FRAMES[sent % len(FRAMES)]
+            reply = board.machine.ask(line)
+            check(reply.startswith("OK"), f"{line}: {reply}")
+            sent += 1
+        wait_for_words(board, board.words_of(line))
+    finally:
+        raised = board.machine.run("touch /run/calm; wait; cat /run/raised").split()[-1]
+    status = board.status()
+    check(status["hardware"] == "ok" and status["readback_errors"] == errors, f"the registers: {status}")
+    count = taken() - before
+    board.play_again()
+    return f"raised {raised} times, {count} taken among {sent} frames, all answered, the last one's words there"
 
 
 PROBES = {
@@ -201,6 +203,14 @@ PROBES = {
     "a mount": "mount -t tmpfs none /tmp && umount /tmp",
     "a namespace": "unshare -U true",
     "the clock": "date -s \"$(date)\"",
+    "the host's name": "hostname \"$(hostname)\"",
+    "the kernel's log": "dmesg",
+    "a control group": "mkdir /sys/fs/cgroup/probe && rmdir /sys/fs/cgroup/probe",
+    "another's process": "test -e /proc/1/status",
+    "a priority of real time": "chrt -f 1 true",
+    "a socket of netlink": "perl -MSocket -e 'socket(S, 16, SOCK_RAW, 0) or exit 1'",
+    "memory to write and run": "perl -e 'exit(syscall(192, 0, 4096, 7, 34, -1, 0) == -1)'",
+    "another personality": "perl -e 'exit(syscall(136, 8) == -1)'",
 }
 ALLOWED = {
     "the registers": "true <> /dev/raymarch",
@@ -232,11 +242,15 @@ def sandbox(board: Board) -> str:
     for unit, user, table in (("raymarchd.service", "root", PROBES), ("raymarchd.service", "raymarchd", ALLOWED),
                               ("raymarch-overlay.service", "root", ALLOWED_TO_LOAD)):
         machine.run(unit_of_probe(unit, user))
+        machine.run("echo true > /run/probe.sh && systemctl start probe.service")
         for name, command in table.items():
             machine.run(f"cat > /run/probe.sh <<'END'\n{command}\nEND")
             check(machine.try_run("sh /run/probe.sh")[0] == 0, f"{name}: refused without restrictions, too")
-            status, text = machine.try_run("systemctl start probe.service")
-            check((status == 0) == (table is not PROBES), f"{unit}, {name}: status {status} {text}")
+            machine.try_run("systemctl start probe.service")
+            status = int(machine.run("systemctl show -p ExecMainStatus --value probe.service"))
+            result = machine.run("systemctl show -p Result --value probe.service")
+            wanted = result == "exit-code" and 0 < status < 200 if table is PROBES else result == "success"
+            check(wanted, f"{unit}, {name}: {result}, status {status}")
     return f"{len(PROBES)} refused: {'; '.join(PROBES)}. {len(ALLOWED) + len(ALLOWED_TO_LOAD)} needed and allowed"
 
 
@@ -244,6 +258,9 @@ def kill(board: Board) -> str:
     before = board.pid()
     board.machine.ask(FRAMES[1])
     check(board.machine.ask("SAVE").startswith("OK"), "SAVE")
+    board.stop_playing()
+    board.play()  # with the words of its start: what is there afterwards has been written anew
+    check(list(board.memory.words[:8]) != board.words_of(FRAMES[1]), "the words are there already")
     board.machine.run(f"kill -9 {before}")
     board.wait_for_restart(before)
     board.machine.wait_for_service()
@@ -265,12 +282,16 @@ def watchdog(board: Board) -> str:
 
 def hang_up(board: Board) -> str:
     machine = board.machine
+    zoom = board.present()["ZM"]
     machine.serial.send(b"SET ZM=")  # half a line, and the port is gone
     machine.run("perl -e 'open(F, \"+<\", \"/dev/ttyPS1\") and ioctl(F, 0x5437, 0) or exit 1'")  # TIOCVHANGUP
     machine.run("until journalctl -u raymarchd -n 20 --no-pager | grep -q 'serial port has gone'; do sleep 0.2; done")
-    machine.wait_for_service()
-    check(machine.ask("GET ZM").startswith("OK ZM="), "GET")
-    return "in the middle of a line; noticed, opened again, answered"
+    machine.run("until raymarchctl status | grep -q 'serial *up'; do sleep 0.2; done")
+    machine.serial.forget()
+    reply = machine.ask("9.5")  # its other half
+    check(reply.startswith("ERR"), f"two halves of a line were joined: {reply}")
+    check(board.present()["ZM"] == zoom, "two halves of a line were joined")
+    return "in the middle of a line, which is dropped; noticed, opened again, answered"
 
 
 def absent(board: Board) -> str:
@@ -285,52 +306,104 @@ def absent(board: Board) -> str:
     machine.wait_for_service()
     machine.log_in()
     check(board.status()["hardware"] == "absent", "there is hardware")
+    panel_trials.Lines(board).wait("led2", True)
     reply = machine.ask(FRAMES[2])
     check(reply.startswith("ERR HARDWARE"), f"a frame without hardware: {reply}")
-    machine.run(f"echo uio_pdrv_genirq > /sys/bus/platform/devices/{UIO}/driver_override && "
-                f"echo {UIO} > {DRIVER}/bind")
+    device = f"{board.memory.address:x}.raymarch"
+    machine.run(f"echo uio_pdrv_genirq > /sys/bus/platform/devices/{device}/driver_override && "
+                f"echo {device} > {DRIVER}/bind")
     machine.run("until journalctl -u raymarchd -b --no-pager | grep -q 'accelerator kind 238'; do sleep 0.2; done")
     check(board.status()["hardware"] == "absent", "an unknown kind is taken")
     board.play()
     board.wait_for_status("hardware", "ok")
     present = board.machine.ask("GET").removeprefix("OK ")
     wait_for_words(board, board.words_of(present))
-    return "absent, then of an unknown kind, then there: the present state in the registers"
+    panel_trials.Lines(board).wait("led2", False)
+    return "absent, LD2 lit; then of an unknown kind; then there: the present state in the registers"
 
 
 def power_cuts(board: Board) -> str:
-    """The power goes in the middle of state writes; what was saved before is there afterwards."""
+    """The power goes in the middle of state writes; what was saved before is there afterwards, or what was
+    being saved."""
     machine = board.machine
     generator = random.Random(2)
-    writes = 0
+    writes = within = 0
+    check(machine.ask("SET ZM=0").startswith("OK") and machine.ask("SAVE").startswith("OK"), "SAVE")
     saved = 0
-    machine.ask("SET ZM=0")
-    check(machine.ask("SAVE").startswith("OK"), "SAVE")
     for cut in range(board.cuts):
-        sent = saved
-        end = time.monotonic() + generator.uniform(0.3, 3.0)
-        machine.serial.forget()
-        while time.monotonic() < end:
-            sent = (sent + 1) % 1000
-            machine.serial.send(f"SET ZM={sent / 128:.7f}\r\nSAVE\r\n".encode())
-            machine.serial.until(rb"OK[^\r\n]*\r?\n")
-            try:
-                machine.serial.until(rb"OK[^\r\n]*\r?\n", max(0.0, end - time.monotonic()))
-            except TimeoutError:
-                break  # cut within the write
-            saved = sent
+        # Some time in the write after the first few, which take some tens of milliseconds each.
+        number, delay = generator.randrange(1, 6), generator.uniform(0, 0.1)
+        for _ in range(number):
+            saved = (saved + 1) % 1000
+            for line in (f"SET ZM={saved / 128:.7f}", "SAVE"):
+                reply = machine.ask(line)
+                check(reply.startswith("OK"), f"{line}: {reply}")
             writes += 1
+        sent = (saved + 1) % 1000
+        reply = machine.ask(f"SET ZM={sent / 128:.7f}")
+        check(reply.startswith("OK"), f"SET: {reply}")
+        machine.serial.send(b"SAVE\r\n")
+        try:
+            machine.serial.until(rb"OK[^\r\n]*\r?\n", delay)
+            saved = sent
+        except TimeoutError:
+            within += 1
         machine.cut()
         machine.start()
         machine.wait_for_service()
-        value = float(machine.ask("GET ZM").split("ZM=")[1])
-        found = round(value * 128)
+        board.wait_for_status("hardware", "ok")
+        found = round(float(board.present()["ZM"]) * 128)
         check(found in (saved, sent), f"cut {cut + 1}: {found}/128, saved was {saved}, sent {sent}")
+        wait_for_words(board, board.words_of(machine.ask("GET").removeprefix("OK ")))
+        machine.log_in()
+        log = machine.run("journalctl -u raymarchd -b --no-pager -q")
+        check("starting from the defaults" not in log, f"cut {cut + 1}: a state file was refused")
         saved = found
+    check(within > 0, "no cut came within a write")
+    return (f"{board.cuts} cuts among {writes} writes of the state, {within} before the write was answered; "
+            "each state found whole, and no older than what was saved")
+
+
+def life(board: Board) -> str:
+    """The package on a running system: upgraded, removed, purged."""
+    machine = board.machine
+    before = board.pid()
+    machine.run("dpkg -i /root/raymarchd.deb")
+    board.wait_for_restart(before)
+    machine.wait_for_service()
+    check("ttyPS1" in machine.run("cat /etc/raymarchd.toml"), "the upgrade took the configuration")
+    machine.run("dpkg -r raymarchd")
+    check(machine.try_run("pgrep -x raymarchd")[0] != 0, "removed, and still running")
+    machine.run("test -e /etc/raymarchd.toml && test -d /var/lib/raymarchd")
+    machine.run("rm -r /etc/systemd/system/raymarchd.service.d && dpkg -P raymarchd")
+    left = machine.run("find /etc /lib /usr /var /run -xdev -iname '*raymarch*' -not -path '/var/log/*'")
+    check(left == "", f"purge left: {left}")
+    check(machine.try_run("systemctl status raymarchd")[0] == 4, "systemd still knows the service")
+    return "an upgrade restarts the service and keeps its configuration; purge leaves nothing"
+
+
+def login(board: Board) -> str:
+    """On a board's console, as the package comes: there on the other port, which is the service's here."""
+    machine = board.machine
+    drop = "/etc/systemd/system/raymarchd.service.d/console.conf"
+    machine.run(f"rm {drop} && sed s/ttyPS0/ttyPS1/ /lib/systemd/system/raymarchd.service.d/console.conf > {drop} && "
+                "systemctl enable serial-getty@ttyPS1")
+    machine.shut_down()
+    machine.start()
+    machine.wait_for_service()
     machine.log_in()
-    log = machine.run("journalctl -u raymarchd --no-pager -q")
-    check("starting from the defaults" not in log, "a state file was refused")
-    return f"{board.cuts} cuts among {writes} writes of the state, each found valid and no older than saved"
+    getty = "systemctl is-active serial-getty@ttyPS1"
+    check(machine.try_run(getty)[1] == "inactive", "the login has the port at the start")
+    machine.run("systemctl start serial-getty@ttyPS1")
+    check(machine.try_run("systemctl is-active raymarchd")[1] != "active", "both have the port")
+    machine.serial.until(rb"login: ")
+    machine.run("systemctl start raymarchd")
+    check(machine.try_run(getty)[1] == "inactive", "both have the port")
+    machine.wait_for_service()
+    board.wait_for_status("serial", "up")
+    machine.run("systemctl disable serial-getty@ttyPS1; "
+                f"rm {drop} && ln -s /dev/null {drop} && systemctl daemon-reload")
+    return "it gives way at the start; each takes the port from the other when asked to"
 
 
 TRIALS = {
@@ -348,7 +421,9 @@ TRIALS = {
     "watchdog": watchdog,
     "serial port hangs up": hang_up,
     "accelerator absent, then there": absent,
+    "login on the service's port": login,
     "power cuts": power_cuts,
+    "package upgraded, removed, purged": life,
 }
 
 # Those of one boot that need no patience.
