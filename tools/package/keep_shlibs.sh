@@ -11,7 +11,9 @@ for package in "$1"/var/cache/apt/archives/*.deb; do
     dpkg-deb -e "$package" "$kept/DEBIAN"
     if [ -e "$kept/DEBIAN/shlibs" ]; then
         dpkg-deb --fsys-tarfile "$package" |
-            tar -C "$kept" -x --wildcards './lib/*.so*' './usr/lib/*.so*' 2>/dev/null || true
+            tar -C "$kept" -x --wildcards './lib/*.so*' './usr/lib/*.so*' 2>"$kept/said" ||
+            grep -q 'Not found in archive' "$kept/said" # one of the two, mostly
+        rm "$kept/said"
     else
         rm -r "$kept"
     fi
