@@ -12,6 +12,7 @@ import struct
 import sys
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
 from statistics import median
 
@@ -20,27 +21,28 @@ SCENES = {"sphere": 0, "cube": 1, "infinite_cube": 2, "tunnel": 3}
 PAGE_BYTES = 4096
 
 
-def words(line: bytes) -> tuple[int, ...] | None:
-    """The eight words of a frame; None for anything else."""
+def words(line: bytes, code: Callable[[float], int] = int) -> tuple[int, ...] | None:
+    """The eight words of a frame; None for anything else. The source's script cuts codes off, with
+    `int`; the service rounds them, like `round`."""
     values = dict(pair.split("=") for pair in line.decode("ascii").strip().split(","))
     if values.keys() != KEYS:
         return None
 
     def direction(key: str) -> int:
-        return min(int(float(values[key]) * 131072), 131071) & 0x3FFFF
+        return min(code(float(values[key]) * 131072), 131071) & 0x3FFFF
 
     def light(key: str) -> int:
-        return int(float(values[key]) * 8) & 0x3FF
+        return code(float(values[key]) * 8) & 0x3FF
 
     def colour(key: str) -> int:
-        return min(int(float(values[key]) * 1024), 1023)
+        return min(code(float(values[key]) * 1024), 1023)
 
     def vector(name: str, channel: str) -> tuple[int, int]:
         x, y, z = direction(name + "X"), direction(name + "Y"), direction(name + "Z")
         return x << 14 | y >> 4, (y & 0xF) << 28 | z << 10 | colour(channel)
 
     return (SCENES[values["OBJ"]] << 30 | light("LX") << 20 | light("LY") << 10 | light("LZ"),
-            int(float(values["ZM"]) * 16777216),
+            code(float(values["ZM"]) * 16777216),
             *vector("F", "R"), *vector("R", "G"), *vector("U", "B"))
 
 

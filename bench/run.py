@@ -13,6 +13,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+import board_section
 import command_section
 import engine_section
 import terminal_section
@@ -22,6 +23,7 @@ SECTIONS: dict[str, Callable[[Path, bool], list[Row]]] = {
     "engine": engine_section.rows,
     "command": command_section.rows,
     "terminal": terminal_section.rows,
+    "board": board_section.rows,
 }
 
 

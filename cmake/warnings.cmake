@@ -16,5 +16,7 @@ if(RAYMARCH_SANITIZE)
   # RUNPATH says; the older RPATH holds for them too.
   add_link_options(-fsanitize=${RAYMARCH_SANITIZE} -Wl,--disable-new-dtags)
 endif()
+# A library that is linked and not used costs its start: Highway's, wherever nothing is asserted.
+add_link_options(LINKER:--as-needed)
 add_compile_definitions(RAYMARCH_VERSION="${PROJECT_VERSION}")
 include_directories(${PROJECT_SOURCE_DIR})

@@ -4,8 +4,10 @@
 /// away, and says how both stand.
 #include "console/subcommands.hpp"
 #include "drivers/atomic_file.hpp"
+#include "drivers/board_tree.hpp"
 #include "drivers/device_tree_overlay.hpp"
 #include "drivers/fpga_manager.hpp"
+#include "drivers/interrupt_holders.hpp"
 #include "drivers/logic_loader.hpp"
 #include "drivers/uio_device.hpp"
 
@@ -15,6 +17,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace raymarch::console
 {
@@ -47,9 +50,17 @@ void print_warnings(const KernelTree& tree)
     if (const auto device = drivers::find_uio(tree, drivers::overlay_uio_name); !device)
         warn(device.error().message + ": is the driver there, with uio_pdrv_genirq.of_id="
                                       "generic-uio on the kernel's command line?");
-    if (drivers::keeps_logic_clock(tree) == false)
-        warn("Linux stops the clock of the logic, FCLK0: fclk-enable of the device tree leaves it "
-             "out, and the kernel's command line has no clk_ignore_unused");
+    if (const auto runs = drivers::require_logic_clock(tree); !runs)
+        warn(runs.error().message);
+}
+
+void print_unbound(const std::vector<drivers::InterruptHolder>& holders)
+{
+    std::string names;
+    for (const auto& [device, interrupt] : holders)
+        names += fmt::format("{}{} (SPI {})", names.empty() ? "" : ", ", device, interrupt);
+    if (!names.empty())
+        fmt::print("unbound {} from its driver: the interrupt is the overlay's now\n", names);
 }
 
 int load(const Options& options)
@@ -68,8 +79,10 @@ int load(const Options& options)
         return report(overlay.error());
     files.bitstream = std::move(*bitstream);
     files.overlay = std::move(*overlay);
-    if (const auto loaded = drivers::load_logic(tree, files); !loaded)
-        return report(loaded.error());
+    const auto unbound = drivers::load_logic(tree, files);
+    if (!unbound)
+        return report(unbound.error());
+    print_unbound(*unbound);
     fmt::print("loaded {} and {}\n", files.bitstream_name, files.overlay_name);
     print_warnings(tree);
     return EX_OK;
@@ -91,6 +104,23 @@ void print_row(const char* what, const std::string& text)
     fmt::print("{:<10} {}\n", what, text);
 }
 
+/// Who holds an interrupt of the overlay's; nothing is said of an overlay that cannot be read.
+void print_holders(const KernelTree& tree, const std::string& overlay_name)
+{
+    const auto overlay = drivers::read_file(overlay_name, drivers::largest_overlay);
+    const auto interrupts =
+        drivers::overlay_interrupts(drivers::as_bytes(overlay.value_or("")), overlay_name);
+    if (!interrupts)
+        return;
+    const bool absent = overlay_state(tree, drivers::overlay_name) == drivers::OverlayState::Absent;
+    for (const auto& [device, interrupt] :
+         drivers::interrupt_holders(tree, *interrupts, drivers::overlay_uio_name))
+        print_row("interrupt", fmt::format("SPI {} of the overlay is held by {}/{}; 'overlay {}' "
+                                           "unbinds it",
+                                           interrupt, tree.path(drivers::uio_driver), device,
+                                           absent ? "load" : "unload' and then 'overlay load"));
+}
+
 int status(const Options& options)
 {
     const KernelTree tree(options.root);
@@ -102,6 +132,7 @@ int status(const Options& options)
     print_row("registers", device ? fmt::format("{}, {} bytes at 0x{:08X}", device->node,
                                                 device->size, device->address)
                                   : device.error().message);
+    print_holders(tree, or_firmware(tree, options.overlay, "raymarch.dtbo"));
     const auto clock = drivers::keeps_logic_clock(tree);
     print_row("clock", !clock ? "the device tree does not tell" : *clock ? "kept" : "not kept");
     for (const std::string& feature : drivers::missing_features(tree))
@@ -126,6 +157,11 @@ void add_overlay(CLI::App& app, Run& run)
         verb->callback([options, action, &run] { run = [=] { return action(*options); }; });
         return verb;
     };
+    const auto add_overlay_file = [&](CLI::App* verb) {
+        verb->add_option("--overlay", options->overlay,
+                         "the compiled overlay (default: raymarch.dtbo in the firmware folder)")
+            ->type_name("FILE");
+    };
     CLI::App* const loading =
         add("load", "checks both files, then loads the logic and the overlay", load);
     loading
@@ -133,12 +169,10 @@ void add_overlay(CLI::App& app, Run& run)
                      "a .bit, or a byte-swapped .bin (default: raymarch.bit in the firmware "
                      "folder)")
         ->type_name("FILE");
-    loading
-        ->add_option("--overlay", options->overlay,
-                     "the compiled overlay (default: raymarch.dtbo in the firmware folder)")
-        ->type_name("FILE");
+    add_overlay_file(loading);
     add("unload", "takes the overlay away; the logic stays configured", unload);
-    add("status", "how logic, overlay and registers stand, and what the kernel lacks", status);
+    add_overlay_file(
+        add("status", "how logic, overlay and registers stand, and what the kernel lacks", status));
 }
 
 } // namespace raymarch::console

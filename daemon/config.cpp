@@ -246,7 +246,7 @@ constexpr std::string_view default_name = protocol::default_accelerator.name;
 // clang-format off
 constexpr std::array table = {
     Setting{"accelerator",      "NAME",                       default_name,               "the accelerator of a block that does not tell its kind, and of the emulated one", set_accelerator},
-    Setting{"registers",        registers_values,             "auto",                     "the register block; auto is the UIO device named raymarch where there is one, else emulated", set_registers},
+    Setting{"registers",        registers_values,             "auto",                     "the register block; auto is the UIO device named raymarch on a Zynq and where there is one, else emulated", set_registers},
     Setting{"serial",           serial_values,                "/dev/ttyPS0@115200",       "the serial host; pty makes a pseudo-terminal and a link to it", set_serial},
     Setting{"gpio",             "lines|none",                 "lines",                    "buttons, switches and LEDs; lines are those of the table gpio_lines", set_gpio},
     Setting{"gpio_debounce",    "MS",                         "10",                       "milliseconds that a button's level has to last before it counts", set_gpio_debounce},

@@ -2,6 +2,7 @@
 #include "daemon/hardware.hpp"
 
 #include "drivers/atomic_file.hpp"
+#include "drivers/board_tree.hpp"
 #include "drivers/fpga_manager.hpp"
 #include "drivers/kernel_tree.hpp"
 #include "drivers/logic_loader.hpp"
@@ -67,19 +68,23 @@ struct Opener
         emulated = true;
         return open_emulated(config, accelerator);
     }
-    /// An access to logic that is not configured stops the board: the kernel is asked first.
+    /// An access to logic that is not configured, or has no clock, stops the board: the kernel is
+    /// asked first.
     BusResult device(const Result<drivers::UioDevice>& device) const
     {
         if (!device)
             return fail(device.error());
         if (auto safe = drivers::require_operating_logic(tree); !safe)
             return fail(safe.error());
+        if (auto runs = drivers::require_logic_clock(tree); !runs)
+            return fail(runs.error());
         return open_uio(*device);
     }
     BusResult operator()(const AutoRegisters&) const
     {
         const auto found = drivers::find_uio(tree, drivers::overlay_uio_name);
-        if (found || found.error().kind != ErrorKind::Unavailable) // two of them are a mistake
+        // Two of them are a mistake, and a board's logic may come later.
+        if (found || found.error().kind != ErrorKind::Unavailable || drivers::is_zynq(tree))
             return device(found);
         log::notice("{}: the accelerator is emulated", found.error().message);
         return emulate();

@@ -48,9 +48,15 @@ Result<RegisterPath> RegisterPath::probe(drivers::RegisterBus& bus,
                                 fmt::format("CAPABILITY says accelerator kind {}, which this "
                                             "version does not know",
                                             kind)));
-    const std::uint32_t interrupt = bus.interrupt_fd() >= 0 ? control::interrupt_enable : 0;
-    bus.write(at(Register::Control), control::enable | control::shadow | interrupt);
-    return RegisterPath(bus, *accelerator, true);
+    RegisterPath path(bus, *accelerator, true);
+    path.enable();
+    return path;
+}
+
+void RegisterPath::enable()
+{
+    const std::uint32_t interrupt = bus_->interrupt_fd() >= 0 ? control::interrupt_enable : 0;
+    bus_->write(at(Register::Control), control::enable | control::shadow | interrupt);
 }
 
 drivers::RegOffset RegisterPath::offset(std::size_t index) const noexcept
@@ -91,6 +97,8 @@ Applied RegisterPath::apply(const protocol::Words& words)
         held_.reset(); // whatever they hold, the next update writes every word
         if (before)
             write_changed(*before);
+        if (extended_)
+            enable(); // logic that was reset has forgotten this, too
         return Applied::Failed;
     }
     held_ = words;

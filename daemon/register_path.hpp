@@ -62,6 +62,8 @@ class RegisterPath
         , accelerator_(&accelerator)
         , extended_(extended)
     {}
+    /// Frames are drawn, in shadow mode, with an interrupt where there is a line.
+    void enable();
     [[nodiscard]] drivers::RegOffset offset(std::size_t index) const noexcept;
     [[nodiscard]] bool reads_back(const protocol::Words& words) const;
     /// The number of words written: those that differ from what the registers are known to hold.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "drivers/device_tree_overlay.hpp"
 
+#include "drivers/flat_tree.hpp"
+
 #include <fmt/format.h>
 
 namespace raymarch::drivers
@@ -8,20 +10,9 @@ namespace raymarch::drivers
 namespace
 {
 
-constexpr std::uint32_t tree_magic = 0xD00D'FEED;
-constexpr std::size_t tree_header_bytes = 40;
-
 std::string folder_of(const std::string& name)
 {
     return std::string(overlays_folder) + "/" + name;
-}
-
-std::uint32_t big_endian(std::span<const std::uint8_t> bytes, std::size_t at)
-{
-    std::uint32_t value = 0;
-    for (const std::uint8_t byte : bytes.subspan(at, 4))
-        value = value << 8 | byte;
-    return value;
 }
 
 } // namespace
@@ -53,16 +44,12 @@ OverlayState overlay_state(const KernelTree& tree, const std::string& name)
 
 Result<void> check_overlay(std::span<const std::uint8_t> blob, const std::string& name)
 {
-    const auto bad = [&](const std::string& what) {
-        return fail(plain_error(ErrorKind::BadData, name + ": " + what));
-    };
-    if (blob.size() < tree_header_bytes || big_endian(blob, 0) != tree_magic)
-        return bad("no compiled device tree (dtc -@ -I dts -O dtb makes one)");
-    if (const std::uint32_t size = big_endian(blob, 4); size != blob.size())
-        return bad(fmt::format("its header says {} bytes, and there are {}", size, blob.size()));
+    if (auto begins = check_tree_header(blob, name); !begins)
+        return begins;
     if (blob.size() > largest_overlay)
-        return bad(
-            fmt::format("{} bytes; the kernel takes at most {}", blob.size(), largest_overlay));
+        return fail(
+            plain_error(ErrorKind::BadData, fmt::format("{}: {} bytes; the kernel takes at most {}",
+                                                        name, blob.size(), largest_overlay)));
     return {};
 }
 

@@ -17,8 +17,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr const char* live_tree = "firmware/devicetree/base";
-
 /// Undoes what was done, last first, unless it has been kept.
 class Undo
 {
@@ -53,6 +51,19 @@ Result<void> install(const KernelTree& tree, std::span<const std::uint8_t> bin, 
             static_cast<void>(replace_file(path, as_bytes(*before), Durability::Durable));
     });
     return {};
+}
+
+/// Who else holds the overlay's interrupts gives way.
+Result<std::vector<InterruptHolder>>
+unbind_holders(KernelTree& tree, std::span<const SharedInterrupt> interrupts, Undo& undo)
+{
+    auto holders = interrupt_holders(tree, interrupts, overlay_uio_name);
+    for (const InterruptHolder& holder : holders) {
+        if (auto unbound = unbind(tree, holder); !unbound)
+            return fail(unbound.error());
+        undo.add([&tree, holder] { static_cast<void>(bind(tree, holder)); });
+    }
+    return holders;
 }
 
 Result<void> require_features(const KernelTree& tree)
@@ -90,30 +101,21 @@ std::vector<std::string> missing_features(const KernelTree& tree)
     return missing;
 }
 
-std::optional<bool> keeps_logic_clock(const KernelTree& tree)
-{
-    const std::string base = live_tree;
-    const auto bytes = read_file(tree.path(base + "/axi/slcr@f8000000/clkc@100/fclk-enable"),
-                                 sizeof(std::uint32_t));
-    if (!bytes || bytes->size() != sizeof(std::uint32_t))
-        return std::nullopt;
-    const auto arguments = tree.line(base + "/chosen/bootargs").value_or("");
-    constexpr unsigned first_clock = 1;
-    return (static_cast<unsigned char>(bytes->back()) & first_clock) != 0 ||
-           arguments.find("clk_ignore_unused") != std::string::npos;
-}
-
-Result<void> load_logic(KernelTree& tree, const LogicFiles& files, const LogicDevice& device)
+Result<std::vector<InterruptHolder>> load_logic(KernelTree& tree, const LogicFiles& files,
+                                                const LogicDevice& device)
 {
     const auto bitstream = parse_bitstream(as_bytes(files.bitstream), files.bitstream_name);
     if (!bitstream)
         return fail(bitstream.error());
     if (auto fits = check_bitstream(*bitstream, device, files.bitstream_name); !fits)
-        return fits;
+        return fail(fits.error());
     if (auto whole = check_overlay(as_bytes(files.overlay), files.overlay_name); !whole)
-        return whole;
+        return fail(whole.error());
+    const auto interrupts = overlay_interrupts(as_bytes(files.overlay), files.overlay_name);
+    if (!interrupts)
+        return fail(interrupts.error());
     if (auto able = require_features(tree); !able)
-        return able;
+        return fail(able.error());
     if (overlay_state(tree, overlay_name) != OverlayState::Absent)
         return fail(
             plain_error(ErrorKind::Unavailable,
@@ -121,18 +123,21 @@ Result<void> load_logic(KernelTree& tree, const LogicFiles& files, const LogicDe
                                     overlay_name, to_text(overlay_state(tree, overlay_name)))));
     Undo undo;
     if (auto installed = install(tree, bin_of(*bitstream), undo); !installed)
-        return installed;
+        return fail(installed.error());
+    auto unbound = unbind_holders(tree, *interrupts, undo); // before its logic is gone
+    if (!unbound)
+        return unbound;
     const auto manager = find_fpga_manager(tree);
     if (manager->takes_firmware)
         if (auto loaded = load_firmware(tree, *manager, overlay_firmware); !loaded)
-            return loaded;
+            return fail(loaded.error());
     if (auto applied = apply_overlay(tree, overlay_name, files.overlay); !applied)
-        return applied;
+        return fail(applied.error());
     undo.add([&tree] { static_cast<void>(remove_overlay(tree, overlay_name)); });
     if (auto runs = require_operating_logic(tree); !runs) // where the overlay was to load it
-        return runs;
+        return fail(runs.error());
     undo.keep();
-    return {};
+    return unbound;
 }
 
 Result<bool> unload_logic(KernelTree& tree)

@@ -6,9 +6,9 @@
 
 #include "base/result.hpp"
 #include "drivers/bitstream.hpp"
+#include "drivers/interrupt_holders.hpp"
 #include "drivers/kernel_tree.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,10 +27,6 @@ inline constexpr const char* firmware_folder = "lib/firmware";
 /// none where it has all.
 [[nodiscard]] std::vector<std::string> missing_features(const KernelTree& tree);
 
-/// Whether Linux is told to leave the first clock of the logic (FCLK0) on; it stops the clocks that
-/// none of its drivers uses. Nothing where the device tree does not tell.
-[[nodiscard]] std::optional<bool> keeps_logic_clock(const KernelTree& tree);
-
 /// Two files, read.
 struct LogicFiles
 {
@@ -40,15 +36,17 @@ struct LogicFiles
     std::string overlay;
 };
 
-/// Checks both files and the kernel, and only then: the `.bin` into the firmware folder, the logic,
-/// the overlay. A step that fails undoes those before it; logic that has been configured stays so.
-/// On a kernel whose FPGA manager takes no file, the FPGA region loads the one that the overlay
-/// names. Errors: BadData (a file), Unavailable (the kernel; loaded already), InputOutput.
-[[nodiscard]] Result<void> load_logic(KernelTree& tree, const LogicFiles& files,
-                                      const LogicDevice& device = zynq_7020);
+/// Checks both files and the kernel, and only then: the `.bin` into the firmware folder, UIO
+/// devices with an interrupt of the overlay's unbound, the logic, the overlay. A step that fails
+/// undoes those before it; logic that has been configured stays so. On a kernel whose FPGA manager
+/// takes no file, the FPGA region loads the one that the overlay names. Returns what has been
+/// unbound. Errors: BadData (a file), Unavailable (the kernel; loaded already), InputOutput.
+[[nodiscard]] Result<std::vector<InterruptHolder>>
+load_logic(KernelTree& tree, const LogicFiles& files, const LogicDevice& device = zynq_7020);
 
-/// Takes the overlay away; false when it is not there. The logic stays configured. Errors:
-/// Unavailable (the kernel knows no overlays), InputOutput.
+/// Takes the overlay away; false when it is not there. The logic stays configured, so what gave way
+/// to it is not bound again: its own logic is gone. Errors: Unavailable (the kernel knows no
+/// overlays), InputOutput.
 [[nodiscard]] Result<bool> unload_logic(KernelTree& tree);
 
 } // namespace raymarch::drivers

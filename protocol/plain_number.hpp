@@ -22,10 +22,46 @@ namespace detail
 inline constexpr std::array<std::uint64_t, 9> powers_of_ten = {
     1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000};
 
-/// value / powers_of_ten[digits]. By constants: those are multiplications, several times as fast as
-/// a division by a number that is not known before.
+/// The upper half of a product of 128 bits, from products of 32 by 32.
+constexpr std::uint64_t multiply_high(std::uint64_t a, std::uint64_t b) noexcept
+{
+    const auto low = [](std::uint64_t value) { return value & UINT32_MAX; };
+    const std::uint64_t inner = (a >> 32) * low(b) + (low(a) * low(b) >> 32);
+    const std::uint64_t outer = low(a) * (b >> 32) + low(inner);
+    return (a >> 32) * (b >> 32) + (inner >> 32) + (outer >> 32);
+}
+
+/// floor(2^64 / powers_of_ten[digits]), from one digit on: none of these powers divides 2^64.
+inline constexpr std::array<std::uint64_t, 9> reciprocals = {0,
+                                                             UINT64_MAX / powers_of_ten[1],
+                                                             UINT64_MAX / powers_of_ten[2],
+                                                             UINT64_MAX / powers_of_ten[3],
+                                                             UINT64_MAX / powers_of_ten[4],
+                                                             UINT64_MAX / powers_of_ten[5],
+                                                             UINT64_MAX / powers_of_ten[6],
+                                                             UINT64_MAX / powers_of_ten[7],
+                                                             UINT64_MAX / powers_of_ten[8]};
+
+/// value / powers_of_ten[digits] without a division, which the board's processor has none of: its
+/// library takes some 170 instructions for one. The upper half of the product is the quotient or
+/// one less, since `value` is below 2^64 and a reciprocal falls short of 2^64 / power by less
+/// than 1.
+inline std::uint64_t multiply_by_reciprocal(std::uint64_t value, std::size_t digits) noexcept
+{
+    if (digits == 0)
+        return value;
+    const std::uint64_t quotient = multiply_high(value, reciprocals[digits]);
+    const std::uint64_t rest = value - quotient * powers_of_ten[digits];
+    return quotient + (rest >= powers_of_ten[digits] ? 1 : 0);
+}
+
+/// The same, in the quickest way that the processor has. On one of 64 bits that is a division by
+/// constants: those are multiplications, several times as fast as a division by a number that is
+/// not known before.
 inline std::uint64_t divide_by_power(std::uint64_t value, std::size_t digits) noexcept
 {
+    if constexpr (sizeof(void*) < sizeof value)
+        return multiply_by_reciprocal(value, digits);
     switch (digits) {
     case 0:
         return value;
@@ -53,11 +89,23 @@ struct Digits
     std::uint64_t value;
 };
 
+/// Digit by digit: fewer instructions than the way below where each word of it takes two registers.
+inline Digits digits_one_by_one(const char* bytes) noexcept
+{
+    std::uint32_t value = 0;
+    std::size_t count = 0;
+    for (; count < 8 && is_digit(bytes[count]); ++count)
+        value = value * 10 + static_cast<std::uint32_t>(bytes[count] - '0');
+    return {count, value};
+}
+
 /// The digits among the eight bytes at `bytes`, up to the first that is none, without a branch for
 /// each: the bytes are moved until the last digit stands at the top, and neighbours are joined,
 /// first to pairs, then to fours, then to all eight.
 inline Digits digits_of_eight(const char* bytes) noexcept
 {
+    if constexpr (sizeof(void*) < sizeof(std::uint64_t))
+        return digits_one_by_one(bytes);
     std::uint64_t block = 0;
     std::memcpy(&block, bytes, sizeof block);
     if constexpr (std::endian::native == std::endian::big)

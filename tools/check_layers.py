@@ -21,7 +21,7 @@ LAYERS: dict[str, set[str]] = {
     "conformance": {"base", "protocol"},
     "daemon": {"base", "drivers", "emulation", "engine", "motion", "pictures", "protocol"},
     "console": {"base", "conformance", "drivers", "engine", "motion", "pictures", "protocol"},
-    "tools": {"base", "daemon", "protocol"},
+    "tools": {"base", "daemon", "drivers", "emulation", "engine", "pictures", "protocol"},
 }
 
 # The engine knows of the protocol what parameters and registers are, and the descriptions.

@@ -199,6 +199,34 @@ TEST_F(UioHardware, ADeviceThatIsFoundByItselfIsCheckedToo)
     EXPECT_EQ(opened.size(), 0U);
 }
 
+/// A board's logic may come later than the service: it waits, whatever the order at the boot.
+TEST_F(UioHardware, OnAZynqNothingIsEmulatedByItself)
+{
+    test::make_zynq(root);
+    config.registers = AutoRegisters{};
+    hardware.start();
+    EXPECT_EQ(status("hardware"), "absent");
+    EXPECT_EQ(hardware.apply(protocol::Words(8)), Applied::Absent);
+    test::add_uio(root);
+    play({until_ready(1)});
+    EXPECT_EQ(status("hardware"), "ok");
+    EXPECT_EQ(opened, std::vector<std::string>{folder / "dev/uio0"});
+}
+
+TEST_F(UioHardware, LogicWhoseClockIsStoppedIsNeverTouched)
+{
+    test::make_zynq(root);
+    test::set_fclk_enable(root, 0);
+    test::add_uio(root);
+    test::add_fpga_manager(root, "operating");
+    hardware.start();
+    EXPECT_EQ(status("hardware"), "absent");
+    EXPECT_EQ(opened, std::vector<std::string>{}) << "the device is not even opened";
+    test::set_fclk_enable(root, 1);
+    play({until_ready(1)});
+    EXPECT_EQ(status("hardware"), "ok");
+}
+
 TEST_F(UioHardware, WithoutAManagerTheDeviceAloneCounts)
 {
     hardware.start();

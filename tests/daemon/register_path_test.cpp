@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace raymarch::daemon
@@ -162,7 +163,8 @@ TEST(RegisterPath, ABadReadBackRestoresAndDoesNotCommit)
     block.bus.stuck_at_zero[0x08] = 0x8;
     EXPECT_EQ(block.path->apply(with(all(1), 2, 0xF)), Applied::Failed);
     EXPECT_EQ(block.bus.take_accesses(),
-              (look_at_status + Accesses{"W 08=0000000F", "R 00", "R 04", "R 08"} + write_ones));
+              (look_at_status + Accesses{"W 08=0000000F", "R 00", "R 04", "R 08"} + write_ones +
+               Accesses{"W 30=00000005"}));
     EXPECT_EQ(block.bus.memory[0x08], 1U);
 }
 
@@ -176,6 +178,20 @@ TEST(RegisterPath, AfterABadReadBackEveryWordIsWritten)
     static_cast<void>(block.bus.take_accesses());
     EXPECT_EQ(block.path->apply(all(1)), Applied::Written);
     EXPECT_EQ(block.bus.take_accesses(), look_at_status + write_ones + read_all + commit);
+}
+
+/// Its words are gone, and so is what it was enabled by: two updates later it draws again.
+TEST(RegisterPath, LogicThatWasResetIsEnabledAgain)
+{
+    Block block(true);
+    ASSERT_EQ(block.path->apply(all(1)), Applied::Written);
+    for (std::uint16_t offset = 0; offset < 0x20; offset += 4)
+        block.bus.memory[offset] = 0;
+    const std::uint32_t enabled = std::exchange(block.bus.memory[0x30], 0U);
+    EXPECT_EQ(block.path->apply(with(all(1), 2, 0xF)), Applied::Failed);
+    EXPECT_EQ(block.bus.memory[0x30], enabled);
+    EXPECT_EQ(block.path->apply(with(all(1), 2, 0xF)), Applied::Written);
+    EXPECT_EQ(block.bus.memory[0x08], 0xFU);
 }
 
 TEST(RegisterPath, WithoutAnEarlierStateThereIsNothingToRestore)

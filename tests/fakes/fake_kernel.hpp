@@ -6,6 +6,7 @@
 
 #include "drivers/device_tree_overlay.hpp"
 #include "drivers/kernel_tree.hpp"
+#include "tests/fakes/bitstreams.hpp"
 #include "tests/fakes/temporary_folder.hpp"
 
 #include <filesystem>
@@ -39,6 +40,42 @@ inline void add_fpga_manager(const std::string& root, const std::string& state)
     write_text(root + "/" + fpga0 + "/status", "");
 }
 
+/// What the live device tree of a Zynq says of itself.
+inline void make_zynq(const std::string& root)
+{
+    write_text(root + "/firmware/devicetree/base/compatible",
+               std::string("digilent,pynq-z1\0xlnx,zynq-7000", 33));
+}
+
+/// Which clocks of the logic Linux leaves on, a bit each.
+inline void set_fclk_enable(const std::string& root, std::uint32_t bits,
+                            const std::string& bus = "axi")
+{
+    write_text(root + "/firmware/devicetree/base/" + bus + "/slcr@f8000000/clkc@100/fclk-enable",
+               big_endian(bits, 4));
+}
+
+/// A platform device, bound to its driver; the interrupts are cells as the device tree has them.
+inline void add_platform_device(const std::string& root, const std::string& name,
+                                const std::vector<std::uint32_t>& interrupts,
+                                const std::string& driver = "uio_pdrv_genirq")
+{
+    const std::string device = root + "/devices/platform/" + name;
+    std::string value;
+    for (const std::uint32_t cell : interrupts)
+        value += big_endian(cell, 4);
+    write_text(device + "/of_node/interrupts", value);
+    const std::string folder = root + "/bus/platform/drivers/" + driver;
+    for (const char* const file : {"bind", "unbind", "uevent"})
+        write_text(folder + "/" + file, "");
+    std::filesystem::create_directories(root + "/module/" + driver);
+    std::error_code there_already;
+    std::filesystem::create_directory_symlink("../../../../module/" + driver, folder + "/module",
+                                              there_already);
+    std::filesystem::create_directory_symlink("../../../../devices/platform/" + name,
+                                              folder + "/" + name);
+}
+
 class FakeKernel final : public drivers::KernelTree
 {
   public:
@@ -61,6 +98,8 @@ class FakeKernel final : public drivers::KernelTree
         calls.push_back("write " + name_of(file) + (is_blob ? "" : " " + one_line(bytes)));
         if (refuses.contains(name_of(file)))
             return refuse(file);
+        if (exists(file) && (name_of(file) == "unbind" || name_of(file) == "bind"))
+            return set_bound(parent_of(file) + "/" + one_line(bytes), name_of(file) == "bind");
         auto written = KernelTree::write(file, bytes);
         if (file.ends_with("/firmware"))
             set_state(configures && exists_beside("lib/firmware/" + one_line(bytes))
@@ -103,6 +142,18 @@ class FakeKernel final : public drivers::KernelTree
     bool loads_by_region = false;   ///< an overlay that is applied makes the logic run
 
   private:
+    /// A driver's link to the device comes and goes.
+    [[nodiscard]] Result<void> set_bound(const std::string& link, bool bound) const
+    {
+        if (exists(link) == bound)
+            return fail(plain_error(ErrorKind::InputOutput, link + ": No such device"));
+        if (bound)
+            std::filesystem::create_directory_symlink(
+                "../../../../devices/platform/" + name_of(link), path(link));
+        else
+            std::filesystem::remove(path(link));
+        return {};
+    }
     static std::string name_of(std::string_view file)
     {
         return std::filesystem::path(file).filename().string();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A bitstream that is taken is taken again as a `.bin`, as the same one, and stays as it is.
+/// A bitstream that is taken is taken again as a `.bin`, as the same one, and stays as it is. What
+/// is read of an overlay lies within it.
 #include "drivers/bitstream.hpp"
-#include "drivers/device_tree_overlay.hpp"
+#include "drivers/flat_tree.hpp"
 
 #include <array>
 #include <cstddef>
@@ -40,6 +41,25 @@ void check_behind(Bytes beginning, Bytes bytes)
     check(whole);
 }
 
+/// As the structure of a tree whose header is right and whose strings are its first bytes.
+void check_tree(Bytes bytes)
+{
+    constexpr std::array<std::uint32_t, 10> cells = {0xD00D'FEED, 0, 40, 40};
+    std::vector<std::uint8_t> tree;
+    for (const std::uint32_t cell : cells)
+        for (int shift = 24; shift >= 0; shift -= 8)
+            tree.push_back(static_cast<std::uint8_t>(cell >> shift));
+    tree.insert(tree.end(), bytes.begin(), bytes.end());
+    for (std::size_t i = 0; i < 4; ++i)
+        tree[4 + i] = static_cast<std::uint8_t>(tree.size() >> (24 - 8 * i));
+    const auto values = drivers::values_of(tree, "", "any");
+    if (!values)
+        return;
+    for (const Bytes value : *values)
+        if (value.data() < tree.data() || value.data() + value.size() > tree.data() + tree.size())
+            std::abort();
+}
+
 constexpr std::array<std::uint8_t, 25> bit_header = {
     0x00, 0x09, 0x0F, 0xF0, 0x0F, 0xF0, 0x0F, 0xF0, 0x0F, 0xF0, 0x00, 0x00, 0x01,
     'a',  0,    0,    'b',  0,    0,    'c',  0,    0,    'd',  0,    0};
@@ -65,6 +85,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (std::size_t i = 4; i-- > 0;)
             bit.push_back(bin_sync[word + i]);
     check_behind(bit, bytes);
-    static_cast<void>(drivers::check_overlay(bytes, "any"));
+    static_cast<void>(drivers::values_of(bytes, "", "any"));
+    check_tree(bytes);
     return 0;
 }

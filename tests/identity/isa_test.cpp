@@ -5,6 +5,9 @@
 #include "engine/models.hpp"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <utility>
 
 namespace raymarch::engine
 {
@@ -26,6 +29,16 @@ TEST(Isa, ScalarRunsEverywhereAndIsTheReference)
     EXPECT_TRUE(supported(Isa::Scalar));
     for (const Model& model : models)
         EXPECT_EQ(kernel_of(model, Isa::Scalar), nullptr);
+}
+
+/// The library that compiles the kernels says the same of this processor.
+TEST(Isa, HighwayAgrees)
+{
+    const std::int64_t here = hwy::SupportedTargets() | HWY_STATIC_TARGET;
+    for (const auto& [isa, bit] :
+         {std::pair{Isa::Sse4, HWY_SSE4}, std::pair{Isa::Avx2, HWY_AVX2},
+          std::pair{Isa::Avx512, HWY_AVX3}, std::pair{Isa::Neon, HWY_NEON}})
+        EXPECT_EQ(supported(isa), (here & bit) != 0) << name_of(isa);
 }
 
 TEST(Isa, TheFastestKernelIsOneThatRunsHere)

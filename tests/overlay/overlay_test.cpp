@@ -3,6 +3,9 @@
 /// The overlays, applied to a Zynq's tree, against the tables: what Linux is told of the logic is
 /// what the service, the tool and the register tables say.
 #include "daemon/actions.hpp"
+#include "drivers/atomic_file.hpp"
+#include "drivers/device_tree_overlay.hpp"
+#include "drivers/interrupt_holders.hpp"
 #include "drivers/logic_loader.hpp"
 #include "protocol/accelerators.hpp"
 #include "protocol/registers.hpp"
@@ -136,6 +139,25 @@ TEST(Overlay, EveryInterruptIsALevelOfItsOwnFromTheLogic)
             << node; // IRQ_F2P[0] is 29;
         EXPECT_EQ(interrupt[2], 4U) << "level, active high";
     }
+}
+
+/// What the loader takes from the file, against what dtc's own tool reads there.
+TEST(Overlay, ItsInterruptsAreReadFromTheCompiledFile)
+{
+    const Tree tree("raymarch.dtbo");
+    std::vector<drivers::SharedInterrupt> expected;
+    for (const std::string& node : logic_nodes(tree))
+        if (node != "/axi/gpio@41220000") // outputs only
+            expected.push_back(
+                static_cast<drivers::SharedInterrupt>(tree.cells(node, "interrupts")[1]));
+    ASSERT_EQ(expected.size(), 3U);
+    const auto blob =
+        drivers::read_file(overlays + "/raymarch.dtbo", drivers::largest_overlay).value();
+    const auto read = drivers::overlay_interrupts(drivers::as_bytes(blob), "raymarch.dtbo");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_TRUE(std::ranges::is_permutation(*read, expected)) << testing::PrintToString(*read);
+    for (std::size_t size = 0; size < blob.size(); ++size)
+        EXPECT_FALSE(drivers::overlay_interrupts(drivers::as_bytes(blob).first(size), "cut"));
 }
 
 TEST(Overlay, AddressesAreThoseOfTheNodesAndDoNotOverlap)

@@ -319,5 +319,38 @@ TEST(Quantizer, TheShortWayTakesWhatHostsWrite)
     }
 }
 
+/// Around every multiple near the ends of 64 bits, and at numbers of every length.
+TEST(Quantizer, MultiplyingByAReciprocalIsDividing)
+{
+    const auto check = [](std::uint64_t value) {
+        for (std::size_t digits = 0; digits < detail::powers_of_ten.size(); ++digits)
+            ASSERT_EQ(detail::multiply_by_reciprocal(value, digits),
+                      value / detail::powers_of_ten[digits])
+                << value << " / 10^" << digits;
+    };
+    for (const std::uint64_t power : detail::powers_of_ten)
+        for (const std::uint64_t first : {std::uint64_t{1}, (UINT64_MAX / power) - 9})
+            for (std::uint64_t factor = first; factor < first + 10; ++factor)
+                for (const std::uint64_t value : {factor * power - 1, factor * power})
+                    check(value);
+    for (int bits = 0; bits < 64; ++bits)
+        for (const std::uint64_t pattern :
+             {UINT64_MAX, 0xAAAA'AAAA'AAAA'AAAA, 0x9E37'79B9'7F4A'7C15})
+            check(pattern >> bits);
+}
+
+/// Both ways to read the digits of a fraction; a processor takes one of them.
+TEST(Quantizer, DigitsOneByOneAreTheDigitsOfEight)
+{
+    for (const std::string_view text :
+         {"12345678", "1234567,", "000,1234", "9,FX=999", ",1234567", "99999999", "0012/456",
+          "001:3456", "12\xFF\x80 456", "1 234567"}) {
+        const detail::Digits eight = detail::digits_of_eight(text.data());
+        const detail::Digits single = detail::digits_one_by_one(text.data());
+        EXPECT_EQ(eight.count, single.count) << text;
+        EXPECT_EQ(eight.value, single.value) << text;
+    }
+}
+
 } // namespace
 } // namespace raymarch::protocol

@@ -5,6 +5,7 @@
 #include "service/support.hpp"
 #include "tests/fakes/bitstreams.hpp"
 #include "tests/fakes/fake_kernel.hpp"
+#include "tests/fakes/overlay_blob.hpp"
 
 #include <gtest/gtest.h>
 
@@ -82,11 +83,6 @@ void make_kernel(const std::string& root)
     fs::create_directories(root + "/../lib/firmware");
 }
 
-std::string overlay_blob()
-{
-    return test::big_endian(0xD00D'FEED, 4) + test::big_endian(64, 4) + std::string(56, 'x');
-}
-
 TEST(OverlayTool, SaysHowThingsStand)
 {
     const TemporaryFolder folder;
@@ -104,6 +100,33 @@ TEST(OverlayTool, SaysHowThingsStand)
                                  "clock      the device tree does not tell\n");
 }
 
+TEST(OverlayTool, SaysWhoHoldsAnInterruptOfTheOverlay)
+{
+    const TemporaryFolder folder;
+    const std::string root = folder / "sys";
+    make_kernel(root);
+    test::add_platform_device(root, "40000000.fabric", {0, 29, 4});
+    const auto row = [&](const std::string& verb) {
+        return "interrupt  SPI 29 of the overlay is held by " + root +
+               "/bus/platform/drivers/uio_pdrv_genirq/40000000.fabric; '" + verb + "' unbinds it\n";
+    };
+    const auto status = [&](const std::string& overlay) {
+        return run_tool(folder, {"overlay", "status", "--sysfs-root", root, "--overlay", overlay})
+            .output;
+    };
+    test::write_text(folder / "top.dtbo", test::overlay_blob());
+    EXPECT_NE(status(folder / "top.dtbo").find(row("overlay load")), std::string::npos);
+    EXPECT_EQ(status(folder / "missing.dtbo").find("interrupt"), std::string::npos);
+    test::write_text(folder / "top.dtbo", test::overlay_blob({{0, 30, 4}}));
+    EXPECT_EQ(status(folder / "top.dtbo").find("interrupt"), std::string::npos);
+
+    test::write_text(folder / "lib/firmware/raymarch.dtbo", test::overlay_blob());
+    test::write_text(root + "/kernel/config/device-tree/overlays/raymarch/status", "applied\n");
+    const auto loaded = run_tool(folder, {"overlay", "status", "--sysfs-root", root});
+    EXPECT_NE(loaded.output.find(row("overlay unload' and then 'overlay load")), std::string::npos)
+        << loaded.output;
+}
+
 TEST(OverlayTool, NamesWhatAKernelLacks)
 {
     const TemporaryFolder folder;
@@ -116,7 +139,7 @@ TEST(OverlayTool, NamesWhatAKernelLacks)
               std::string::npos)
         << status.output;
     test::write_text(folder / "top.bit", test::make_bit());
-    test::write_text(folder / "top.dtbo", overlay_blob());
+    test::write_text(folder / "top.dtbo", test::overlay_blob());
     const auto load = run_tool(folder, {"overlay", "load", "--sysfs-root", root, "--bitstream",
                                         folder / "top.bit", "--overlay", folder / "top.dtbo"});
     EXPECT_EQ(load.status, 69);
@@ -134,7 +157,7 @@ TEST(OverlayTool, ALoadThatFailsLeavesNothingBehind)
     make_kernel(root);
     const std::string firmware = folder / "lib/firmware";
     test::write_text(firmware + "/raymarch.bit", test::make_bit()); // the default places
-    test::write_text(firmware + "/raymarch.dtbo", overlay_blob());
+    test::write_text(firmware + "/raymarch.dtbo", test::overlay_blob());
     const auto load = run_tool(folder, {"overlay", "load", "--sysfs-root", root});
     EXPECT_EQ(load.status, 74);
     EXPECT_NE(load.errors.find("overlays/raymarch/dtbo: No such file"), std::string::npos)
@@ -151,7 +174,7 @@ TEST(OverlayTool, RefusesABitstreamForAnotherDevice)
     const std::string root = folder / "sys";
     make_kernel(root);
     test::write_text(folder / "top.bit", test::make_bit({.part = "7z010clg400"}));
-    test::write_text(folder / "top.dtbo", overlay_blob());
+    test::write_text(folder / "top.dtbo", test::overlay_blob());
     const auto load = run_tool(folder, {"overlay", "load", "--sysfs-root", root, "--bitstream",
                                         folder / "top.bit", "--overlay", folder / "top.dtbo"});
     EXPECT_EQ(load.status, 65);

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "drivers/board_tree.hpp"
+
+#include "drivers/atomic_file.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace raymarch::drivers
+{
+namespace
+{
+
+const std::string live_tree = "firmware/devicetree/base";
+const std::string platform_devices = "bus/platform/devices";
+/// Of the Zynq's clock controller, by the name that the tree has for its bus; older ones first say
+/// amba.
+constexpr std::array enabled_clocks = {"/axi/slcr@f8000000/clkc@100/fclk-enable",
+                                       "/amba/slcr@f8000000/clkc@100/fclk-enable"};
+constexpr unsigned first_clock = 1;
+/// The number of FCLK0 among all clocks (dt-bindings: xlnx,ps7-clkc), behind the controller's own.
+constexpr unsigned fclk0 = 15;
+
+/// The last of a property's cells, which are big endian; its low byte.
+std::optional<unsigned> low_byte(const KernelTree& tree, const std::string& property,
+                                 std::size_t cells)
+{
+    const std::size_t size = cells * sizeof(std::uint32_t);
+    const auto bytes = read_file(tree.path(property), size);
+    if (!bytes || bytes->size() != size)
+        return std::nullopt;
+    return static_cast<unsigned char>(bytes->back());
+}
+
+/// Whether a property, of strings that end with NUL each, has this one in it.
+bool says(const KernelTree& tree, const std::string& property, std::string_view text)
+{
+    return tree.line(property).value_or("").find(text) != std::string::npos;
+}
+
+bool has_clock_driver(const KernelTree& tree)
+{
+    return std::ranges::any_of(tree.entries(platform_devices), [&](const std::string& device) {
+        const std::string folder = platform_devices + "/" + device;
+        return tree.exists(folder + "/driver") &&
+               says(tree, folder + "/of_node/compatible", "xlnx,fclk") &&
+               low_byte(tree, folder + "/of_node/clocks", 2) == fclk0;
+    });
+}
+
+} // namespace
+
+bool is_zynq(const KernelTree& tree)
+{
+    return says(tree, live_tree + "/compatible", "xlnx,zynq-7");
+}
+
+std::optional<bool> keeps_logic_clock(const KernelTree& tree)
+{
+    for (const char* const property : enabled_clocks)
+        if (const auto clocks = low_byte(tree, live_tree + property, 1))
+            return (*clocks & first_clock) != 0 ||
+                   says(tree, live_tree + "/chosen/bootargs", "clk_ignore_unused") ||
+                   has_clock_driver(tree);
+    return std::nullopt;
+}
+
+Result<void> require_logic_clock(const KernelTree& tree)
+{
+    if (keeps_logic_clock(tree) != false)
+        return {};
+    return fail(plain_error(ErrorKind::Unavailable,
+                            "the logic is not touched: Linux stops its clock, FCLK0, as "
+                            "fclk-enable of the device tree leaves it out and the kernel's command "
+                            "line has no clk_ignore_unused"));
+}
+
+} // namespace raymarch::drivers

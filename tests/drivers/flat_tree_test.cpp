@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "drivers/flat_tree.hpp"
+
+#include "drivers/atomic_file.hpp"
+#include "tests/fakes/overlay_blob.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace raymarch::drivers
+{
+namespace
+{
+
+using Cells = std::vector<std::uint32_t>;
+
+std::vector<Cells> interrupts_of(const std::string& blob)
+{
+    const auto values = values_of(as_bytes(blob), "interrupts", "x.dtbo");
+    EXPECT_TRUE(values) << values.error().message;
+    std::vector<Cells> found;
+    for (const TreeBytes value : values.value_or(std::vector<TreeBytes>{}))
+        found.push_back(cells_of(value));
+    return found;
+}
+
+void expect_bad(const std::string& blob, const std::string& part)
+{
+    const auto values = values_of(as_bytes(blob), "interrupts", "x.dtbo");
+    ASSERT_FALSE(values) << part;
+    EXPECT_EQ(values.error().kind, ErrorKind::BadData);
+    EXPECT_NE(values.error().message.find(part), std::string::npos) << values.error().message;
+}
+
+/// With another cell at `at`.
+std::string with_cell(std::string blob, std::size_t at, std::uint32_t cell)
+{
+    return blob.replace(at, 4, test::big_endian(cell, 4));
+}
+
+/// The byte at which the header says that a part begins.
+std::size_t begin_of(const std::string& blob, std::size_t header_cell)
+{
+    return cells_of(as_bytes(blob))[header_cell];
+}
+
+TEST(FlatTree, CellsAreHighByteFirstAndARestIsLeftOut)
+{
+    EXPECT_EQ(cells_of(as_bytes(std::string("\x12\x34\x56\x78\x00\x00\x00\x0A\xFF", 9))),
+              (Cells{0x1234'5678, 10}));
+    EXPECT_EQ(cells_of({}), Cells{});
+}
+
+TEST(FlatTree, EveryNodesValueIsFound)
+{
+    EXPECT_EQ(interrupts_of(test::overlay_blob({{0, 29, 4}, {}, {0, 30, 4, 1, 7, 1}})),
+              (std::vector<Cells>{{0, 29, 4}, {}, {0, 30, 4, 1, 7, 1}}));
+    EXPECT_EQ(interrupts_of(test::overlay_blob({})), std::vector<Cells>{});
+}
+
+TEST(FlatTree, OnlyTheWholeNameCounts)
+{
+    const std::string blob = test::overlay_blob();
+    for (const std::string_view name : {"interrupt", "interrupts-extended", "nterrupt", "eg"})
+        EXPECT_TRUE(values_of(as_bytes(blob), name, "x.dtbo").value().empty()) << name;
+    EXPECT_EQ(values_of(as_bytes(blob), "reg", "x.dtbo").value().size(), 1U);
+}
+
+TEST(FlatTree, AHeaderThatIsNoneOrLiesIsRefused)
+{
+    const std::string blob = test::overlay_blob();
+    expect_bad("", "no compiled device tree");
+    expect_bad(blob.substr(0, 39), "no compiled device tree");
+    expect_bad(with_cell(blob, 0, 0xD00D'FEEE), "no compiled device tree");
+    expect_bad(with_cell(blob, 4, 41), "its header says 41 bytes");
+    for (const std::size_t part : {8U, 12U}) {
+        expect_bad(with_cell(blob, part, static_cast<std::uint32_t>(blob.size()) + 1), "behind");
+        expect_bad(with_cell(blob, part, 0xFFFF'FFFF), "behind its end");
+    }
+}
+
+/// Cut at any place, with a header that says so.
+TEST(FlatTree, ATreeThatIsCutIsRefused)
+{
+    const std::string blob = test::overlay_blob();
+    const std::size_t strings = begin_of(blob, 3);
+    for (std::size_t size = 40; size < strings; ++size) {
+        std::string cut = with_cell(blob.substr(0, size), 4, static_cast<std::uint32_t>(size));
+        cut = with_cell(cut, 12, 40);
+        expect_bad(cut, size < begin_of(blob, 2) ? "x.dtbo: " : "cut or garbled before byte ");
+    }
+}
+
+TEST(FlatTree, AnUnknownTokenOrALengthBehindTheEndIsRefused)
+{
+    const std::string blob = test::overlay_blob();
+    const std::size_t first = begin_of(blob, 2);
+    for (const std::uint32_t token : {0U, 5U, 0x100U, 0xFFFF'FFFFU})
+        expect_bad(with_cell(blob, first, token), "garbled before byte");
+    const std::size_t length = first + 8 + 12 + 4; // of the first property, in the second node
+    ASSERT_EQ(cells_of(as_bytes(blob).subspan(length)).front(), 4U);
+    for (const std::uint32_t wrong : {0x1000U, 0x7FFF'FFFFU, 0xFFFF'FFFCU, 0xFFFF'FFFFU})
+        expect_bad(with_cell(blob, length, wrong), "garbled before byte");
+}
+
+/// Any byte of it wrong, in a block of memory of just its size, so that a look past the end shows.
+TEST(FlatTree, WhatIsGarbledIsReadWithinItsBytes)
+{
+    const std::string blob = test::overlay_blob();
+    const auto copy = std::make_unique<std::uint8_t[]>(blob.size());
+    const TreeBytes bytes(copy.get(), blob.size());
+    for (std::size_t at = 0; at < blob.size(); ++at)
+        for (const char wrong : {'\x00', '\x01', '\x03', '\x09', '\x7F', '\x80', '\xFF'}) {
+            std::ranges::copy(blob, copy.get());
+            copy[at] = static_cast<std::uint8_t>(wrong);
+            const auto values = values_of(bytes, "interrupts", "x.dtbo");
+            for (const TreeBytes value : values.value_or(std::vector<TreeBytes>{})) {
+                EXPECT_GE(value.data(), bytes.data()) << at;
+                EXPECT_LE(value.data() + value.size(), bytes.data() + bytes.size()) << at;
+            }
+        }
+}
+
+} // namespace
+} // namespace raymarch::drivers

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+"""What all trials share: the machine with its memory, the programs of the host, and how to wait."""
+
+import re
+import subprocess
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from machine import PATIENCE_S, Failed, Machine, Memory, Player, check
+
+# Of the extended registers, docs/registers.md.
+ID_WORD, CAPABILITY_WORD, STATUS_WORD = 8, 10, 14
+BUSY = 1  # STATUS
+
+
+def wait_until(condition: Callable[[], bool], what: Callable[[], str], pause_s: float = 0.05) -> None:
+    """Looks again and again. Raises Failed with what() when it does not come."""
+    end = time.monotonic() + PATIENCE_S
+    while not condition():
+        if time.monotonic() > end:
+            raise Failed(what())
+        time.sleep(pause_s)
+
+
+class Board:
+    """What the trials share: the machine, its memory, the programs of the host."""
+
+    def __init__(self, machine: Machine, memory: Memory, package: Path, programs: Path, cuts: int):
+        self.machine = machine
+        self.memory = memory
+        self.package = package
+        self.programs = programs
+        self.cuts = cuts
+        self.picture = machine.folder / "picture.png"
+        self.player: Player | None = None
+
+    def tool(self, *arguments: str) -> str:
+        return subprocess.run([self.programs / "raymarchctl", *arguments], check=True, text=True,
+                              capture_output=True).stdout
+
+    def words_of(self, line: str) -> list[int]:
+        reply = self.tool("encode", line).split()
+        return [int(word, 16) for word in reply if re.fullmatch("[0-9A-F]{8}", word)]
+
+    def play(self, *options: str) -> Player:
+        self.player = Player(self.programs / "board_player", self.memory, self.machine,
+                             "--picture", str(self.picture), *options)
+        return self.player
+
+    def stop_playing(self) -> None:
+        if self.player:
+            self.player.close()
+            self.player = None
+
+    def play_again(self, *options: str) -> None:
+        """Other logic in the place of what was there. The service finds its words gone at the next update,
+        and writes them all at the one after it."""
+        self.stop_playing()
+        self.play(*options)
+        wait_until(lambda: all(self.machine.ask(line).startswith("OK") for line in ("SET ZM=1", "RESET")),
+                   lambda: f"STATUS: {self.status()}")
+        self.wait_for_status("hardware", "ok")
+
+    def afresh(self) -> None:
+        """Whatever a trial that failed has left: the power goes, and everything is there again."""
+        self.stop_playing()
+        if self.machine.process:
+            self.machine.cut()
+        self.memory.clear()
+        self.play()
+        self.machine.start()
+        self.machine.wait_for_service()
+        self.machine.log_in()
+        self.wait_for_status("hardware", "ok")
+
+    def status(self) -> dict[str, str]:
+        reply = self.machine.ask("STATUS")
+        check(reply.startswith("OK"), f"STATUS: {reply}")
+        return dict(item.split("=", 1) for item in reply.split()[1:] if "=" in item)
+
+    def wait_for_status(self, key: str, value: str) -> None:
+        wait_until(lambda: self.status().get(key) == value, lambda: f"{key}={value} did not come: {self.status()}")
+
+    def present(self) -> dict[str, str]:
+        """The present state, by key."""
+        reply = self.machine.ask("GET")
+        check(reply.startswith("OK "), f"GET: {reply}")
+        return dict(pair.split("=", 1) for pair in reply.removeprefix("OK ").split(","))
+
+    def pid(self) -> int:
+        return int(self.machine.run("systemctl show -p MainPID --value raymarchd"))
+
+    def wait_for_restart(self, before: int) -> int:
+        """Until systemd says that another process is ready."""
+        self.machine.run(
+            f"until [ $(systemctl show -p MainPID --value raymarchd) != {before} ] && "
+            "systemctl is-active -q raymarchd; do sleep 0.2; done")
+        return self.pid()
+
+
+def wait_for_words(board: Board, wanted: list[int]) -> None:
+    """They are there with the reply, but where a commit was pending."""
+    def words(values: list[int]) -> str:
+        return " ".join(f"{value:08X}" for value in values)
+
+    def there() -> list[int]:
+        return list(board.memory.words[:len(wanted)])
+    wait_until(lambda: there() == wanted, lambda: f"{words(there())} in place of {words(wanted)}", 0.01)

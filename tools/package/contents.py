@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Looks into Debian packages: what has to be there, owners and modes, stripped programs, and nothing of
+the machine that made them.
+
+Usage: contents.py [--made-in FOLDER]... PACKAGE.deb...
+
+No file may name a FOLDER: the sources', the build's, the sysroot's.
+"""
+
+import argparse
+import fnmatch
+import gzip
+import io
+import re
+import subprocess
+import sys
+import tarfile
+from pathlib import Path
+
+# Files; * is the architecture, as Debian names its folders.
+REQUIRED = {
+    "raymarchd": [
+        "etc/raymarchd.toml",
+        "usr/bin/raymarchctl",
+        "usr/lib/firmware/raymarch.dtbo",
+        "usr/lib/firmware/raymarch_clock.dtbo",
+        "usr/lib/modprobe.d/raymarchd.conf",
+        "usr/lib/systemd/system/raymarch-overlay.service",
+        "usr/lib/systemd/system/raymarchd.service",
+        "usr/lib/systemd/system/raymarchd.service.d/console.conf",
+        "usr/lib/sysusers.d/raymarchd.conf",
+        "usr/lib/udev/rules.d/60-raymarchd.rules",
+        "usr/sbin/raymarchd",
+        "usr/share/bash-completion/completions/raymarchctl",
+        "usr/share/bash-completion/completions/raymarchd",
+        "usr/share/doc/raymarchd/changelog.gz",
+        "usr/share/doc/raymarchd/copyright",
+        "usr/share/man/man1/raymarchctl.1.gz",
+        "usr/share/man/man8/raymarchd.8.gz",
+    ],
+    "raymarchd-pictures": [
+        "usr/lib/*/raymarchd/libraymarch_pictures.so",
+        "usr/share/doc/raymarchd-pictures/changelog.gz",
+        "usr/share/doc/raymarchd-pictures/copyright",
+    ],
+}
+MAY_BE_MORE = {"raymarchd-pictures": ["usr/lib/*/raymarchd/libraymarch_video.so"]}
+
+
+def output(*command: str, data: bytes | None = None) -> bytes:
+    return subprocess.run(command, input=data, check=True, stdout=subprocess.PIPE).stdout
+
+
+def field(package: Path, name: str) -> str:
+    return output("dpkg-deb", "-f", str(package), name).decode().strip()
+
+
+def entry_faults(entry: tarfile.TarInfo) -> list[str]:
+    """What is wrong with owner, kind and mode."""
+    path = entry.name.removeprefix("./")
+    program = re.fullmatch(r"usr/s?bin/[^/]+", path) is not None
+    wanted = 0o755 if entry.isdir() or program else 0o644
+    faults = []
+    if (entry.uid, entry.gid) != (0, 0):
+        faults.append(f"belongs to {entry.uid}:{entry.gid}")
+    if not (entry.isdir() or entry.isreg()):
+        faults.append("is neither file nor folder")
+    if entry.mode != wanted:
+        faults.append(f"has mode {entry.mode:o}, not {wanted:o}")
+    return faults
+
+
+def content_faults(content: bytes, folders: list[str]) -> list[str]:
+    """What is wrong with the bytes of a file."""
+    faults = []
+    if content.startswith(b"\x7fELF"):
+        if b"not stripped" in output("file", "-b", "-", data=content):
+            faults.append("is not stripped")
+    if content.startswith(b"\x1f\x8b"):
+        content = gzip.decompress(content)
+    return faults + [f"names {folder}" for folder in folders if folder.encode() in content]
+
+
+def package_faults(package: Path, folders: list[str]) -> list[str]:
+    faults = []
+    name = field(package, "Package")
+    files = []
+    with tarfile.open(fileobj=io.BytesIO(output("dpkg-deb", "--fsys-tarfile", str(package)))) as tree:
+        for entry in tree:
+            found = entry_faults(entry)
+            if entry.isreg():
+                files.append(entry.name.removeprefix("./"))
+                content = tree.extractfile(entry)
+                assert content is not None
+                found += content_faults(content.read(), folders)
+            faults += [f"{entry.name} {fault}" for fault in found]
+    faults += [f"lacks {path}" for path in REQUIRED[name] if not fnmatch.filter(files, path)]
+    allowed = REQUIRED[name] + MAY_BE_MORE.get(name, [])
+    expected = {file for path in allowed for file in fnmatch.filter(files, path)}
+    faults += [f"{file} is not expected" for file in files if file not in expected]
+    if name == "raymarchd" and "opencv" in field(package, "Depends"):
+        faults.append("depends on OpenCV")
+    return [f"{package.name}: {fault}" for fault in faults]
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--made-in", action="append", default=[], metavar="FOLDER")
+    parser.add_argument("packages", nargs="+", type=Path, metavar="PACKAGE")
+    options = parser.parse_args()
+    faults = [fault for package in options.packages for fault in package_faults(package, options.made_in)]
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
