@@ -322,6 +322,7 @@ def absent(board: Board) -> str:
     board.wait_for_status("hardware", "ok")
     present = board.machine.ask("GET").removeprefix("OK ")
     wait_for_words(board, board.words_of(present))
+    check(machine.ask(FRAMES[2]).startswith("OK"), "a frame")  # the last one was refused
     panel_trials.Lines(board).wait("led2", False)
     return "absent, LD2 lit; then of an unknown kind; then there: the present state in the registers"
 
