@@ -196,7 +196,7 @@ PROBES = {
     "another device, /dev/mem": "true < /dev/mem",
     "another device, the card": "true < /dev/mmcblk0",
     "a home directory": "ls /root",
-    "a file in /etc": "touch /etc/raymarchd.probe",
+    "a file in /etc": "touch /etc/probe",
     "the configuration": "echo >> /etc/raymarchd.toml",
     "a setting of the kernel": "echo 1 > /proc/sys/vm/swappiness",
     "a file that runs as its owner": "cp /bin/true /tmp/t && chmod u+s /tmp/t",
@@ -382,7 +382,8 @@ def life(board: Board) -> str:
     check(machine.try_run("pgrep -x raymarchd")[0] != 0, "removed, and still running")
     machine.run("test -e /etc/raymarchd.toml && test -d /var/lib/raymarchd")
     machine.run("rm -r /etc/systemd/system/raymarchd.service.d && dpkg -P raymarchd")
-    left = machine.run("find /etc /lib /usr /var /run -xdev -iname '*raymarch*' -not -path '/var/log/*'")
+    left = machine.run("find /etc /lib /usr /var /run/raymarchd* -xdev -iname '*raymarch*' "
+                       "-not -path '/var/log/*' 2> /dev/null; true")
     check(left == "", f"purge left: {left}")
     check(machine.try_run("systemctl status raymarchd")[0] == 4, "systemd still knows the service")
     return "an upgrade restarts the service and keeps its configuration; purge leaves nothing"
