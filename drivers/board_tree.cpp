@@ -2,6 +2,7 @@
 #include "drivers/board_tree.hpp"
 
 #include "drivers/atomic_file.hpp"
+#include "drivers/flat_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,19 +18,19 @@ const std::string platform_devices = "bus/platform/devices";
 /// amba.
 constexpr std::array enabled_clocks = {"/axi/slcr@f8000000/clkc@100/fclk-enable",
                                        "/amba/slcr@f8000000/clkc@100/fclk-enable"};
-constexpr unsigned first_clock = 1;
+constexpr std::uint32_t first_clock = 1;
 /// The number of FCLK0 among all clocks (dt-bindings: xlnx,ps7-clkc), behind the controller's own.
-constexpr unsigned fclk0 = 15;
+constexpr std::uint32_t fclk0 = 15;
 
-/// The last of a property's cells, which are big endian; its low byte.
-std::optional<unsigned> low_byte(const KernelTree& tree, const std::string& property,
-                                 std::size_t cells)
+/// The last cell of a property that has so many.
+std::optional<std::uint32_t> last_cell(const KernelTree& tree, const std::string& property,
+                                       std::size_t cells)
 {
     const std::size_t size = cells * sizeof(std::uint32_t);
     const auto bytes = read_file(tree.path(property), size);
     if (!bytes || bytes->size() != size)
         return std::nullopt;
-    return static_cast<unsigned char>(bytes->back());
+    return cells_of(as_bytes(*bytes)).back();
 }
 
 /// Whether a property, of strings that end with NUL each, has this one in it.
@@ -44,7 +45,7 @@ bool has_clock_driver(const KernelTree& tree)
         const std::string folder = platform_devices + "/" + device;
         return tree.exists(folder + "/driver") &&
                says(tree, folder + "/of_node/compatible", "xlnx,fclk") &&
-               low_byte(tree, folder + "/of_node/clocks", 2) == fclk0;
+               last_cell(tree, folder + "/of_node/clocks", 2) == fclk0;
     });
 }
 
@@ -58,7 +59,7 @@ bool is_zynq(const KernelTree& tree)
 std::optional<bool> keeps_logic_clock(const KernelTree& tree)
 {
     for (const char* const property : enabled_clocks)
-        if (const auto clocks = low_byte(tree, live_tree + property, 1))
+        if (const auto clocks = last_cell(tree, live_tree + property, 1))
             return (*clocks & first_clock) != 0 ||
                    says(tree, live_tree + "/chosen/bootargs", "clk_ignore_unused") ||
                    has_clock_driver(tree);

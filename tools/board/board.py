@@ -55,6 +55,16 @@ def card(rootfs: Path, package: Path, folder: Path) -> Path:
     return disk
 
 
+def is_afresh(board: Board) -> bool:
+    """Whether the next trial finds what a power-on leaves."""
+    try:
+        board.afresh()
+        return True
+    except Exception as error:
+        print(f"   it does not come up again: {error}", flush=True)
+        return False
+
+
 def try_all(board: Board, names: list[str]) -> bool:
     rows: list[tuple[str, str, float, str]] = []
     for name in names:
@@ -66,10 +76,8 @@ def try_all(board: Board, names: list[str]) -> bool:
             result, note = "FAILED", f"{type(error).__name__}: {error}"
         rows.append((name, result, time.monotonic() - begun, note))
         print(f"   {result}, {rows[-1][2]:.1f} s: {note}", flush=True)
-        if result != "passed":
-            if TRIALS[name] in (install, power_on):
-                break  # nothing runs that the others could try
-            board.afresh()
+        if result != "passed" and (TRIALS[name] in (install, power_on) or not is_afresh(board)):
+            break  # nothing runs that the others could try
     width = max(map(len, names))
     print(f"\n{'trial':{width}}  result  seconds")
     for name, result, seconds, note in rows:

@@ -88,6 +88,11 @@ class Board:
         check(reply.startswith("OK "), f"GET: {reply}")
         return dict(pair.split("=", 1) for pair in reply.removeprefix("OK ").split(","))
 
+    def interrupt(self) -> tuple[str, int]:
+        """The file that raises it, and how often it came. The service's GPIO lines have others."""
+        number, count = self.machine.run("grep -w raymarch /proc/interrupts").split()[:2]
+        return f"/sys/kernel/debug/irq/irqs/{number.rstrip(':')}", int(count)
+
     def pid(self) -> int:
         return int(self.machine.run("systemctl show -p MainPID --value raymarchd"))
 

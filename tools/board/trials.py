@@ -110,11 +110,9 @@ def show(board: Board, line: str) -> None:
 
 def pictures(board: Board) -> str:
     """From text on a UART to a picture, with a real kernel between."""
-    player = board.player
-    assert player
-    line = board.machine.run("grep raymarch /proc/interrupts").split()
-    number, before = line[0].rstrip(":"), int(line[1])
-    player.raise_through(f"/sys/kernel/debug/irq/irqs/{number}")
+    assert board.player
+    trigger, before = board.interrupt()
+    board.player.raise_through(trigger)
     show(board, FRAMES[-1])  # whatever was there: from here on each frame is a new one
     drawn_before = int(board.status()["frames"])
     for line in FRAMES:
@@ -122,7 +120,7 @@ def pictures(board: Board) -> str:
     wait_until(lambda: int(board.status()["frames"]) >= drawn_before + len(FRAMES),
                lambda: f"FRAMES are {board.status()['frames']}, before {drawn_before}")
     drawn = int(board.status()["frames"]) - drawn_before
-    after = int(board.machine.run("grep raymarch /proc/interrupts").split()[1])
+    after = board.interrupt()[1]
     check(after > before, "no interrupt came")
     return f"{len(FRAMES)} pictures as raymarchctl draws them, FRAMES {drawn}, interrupts {after - before}"
 
@@ -155,9 +153,8 @@ def mismatch(board: Board) -> str:
     status = board.status()
     check(status["hardware"] == "fault", f"STATUS: {status}")
     check(int(status["readback_errors"]) > errors, f"STATUS: {status}")
-    board.play()
-    board.machine.ask(FRAMES[0])
-    board.wait_for_status("hardware", "ok")
+    board.play_again()
+    check(board.machine.ask(FRAMES[0]).startswith("OK"), "a frame afterwards")
     wait_for_words(board, board.words_of(FRAMES[0]))
     return f"ERR HARDWARE at try {tries}, hardware=fault, then ok again"
 
@@ -167,13 +164,13 @@ def storm(board: Board) -> str:
     turn: so the pictures are large, and frames come faster than they."""
     board.play_again("--width", "1280", "--height", "720")
     errors = board.status()["readback_errors"]
-    number = board.machine.run("grep -w raymarch /proc/interrupts").split()[0].rstrip(":")
+    trigger = board.interrupt()[0]
 
     def taken() -> int:
         return int(board.status()["interrupts"])
     before = taken()
     board.machine.run("rm -f /run/calm; (n=0; while [ ! -e /run/calm ]; do echo trigger; n=$((n+1)); "
-                      f"echo $n > /run/raised; done > /sys/kernel/debug/irq/irqs/{number}) & true")
+                      f"echo $n > /run/raised; done > {trigger}) & true")
     sent = 0
     try:
         while taken() < before + STORM:
@@ -221,9 +218,10 @@ ALLOWED = {
 }
 ALLOWED_TO_LOAD = {
     "the firmware folder": "touch /lib/firmware/probe && rm /lib/firmware/probe",
-    "configfs": "mkdir /sys/kernel/config/probe 2> /run/said; grep -qi 'not permitted' /run/said",
+    "configfs": "mkdir /sys/kernel/config/gpio-sim/probe && rmdir /sys/kernel/config/gpio-sim/probe",
     "udev's devices": "udevadm settle --timeout=60",
-    "the driver's devices": "echo none > /sys/bus/platform/drivers/uio_pdrv_genirq/unbind; [ $? -ne 126 ]",
+    # The shell's status is 2 where it may not open the file; 1 is the driver's, which knows no such device.
+    "the driver's devices": f"echo none > {DRIVER}/unbind; [ $? -eq 1 ]",
 }
 
 
@@ -423,7 +421,7 @@ TRIALS = {
     **panel_trials.TRIALS,
     "read-back mismatch": mismatch,
     "interrupt storm": storm,
-    "each restriction bites": sandbox,
+    "restrictions bite": sandbox,
     "kill -9": kill,
     "watchdog": watchdog,
     "serial port hangs up": hang_up,
