@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 namespace raymarch
@@ -12,6 +13,9 @@ namespace
 {
 
 namespace fs = std::filesystem;
+
+/// A link in /proc to an open file that has been removed ends in this.
+constexpr std::string_view mark_of_nameless = " (deleted)";
 
 struct TypeName
 {
@@ -58,15 +62,13 @@ Result<FileTarget> find_target(const std::string& path)
     const bool there = ::stat(path.c_str(), &file) == 0;
     if (!there && errno != ENOENT)
         return fail(errno_error(ErrorKind::InputOutput, "look at", path));
-    if (!there)
-        return FileTarget{.path = end_of_links(path), .file = std::nullopt};
-    if (!S_ISREG(file.st_mode))
+    if (there && !S_ISREG(file.st_mode))
         return fail(not_a_file(path, file.st_mode));
-    FileTarget target{.path = end_of_links(path), .file = file};
-    // A link in /proc leads to an open file, which may have been removed or have another name now.
-    struct stat named = {};
-    if (::lstat(target.path.c_str(), &named) != 0 || named.st_dev != file.st_dev ||
-        named.st_ino != file.st_ino)
+    FileTarget target{.path = end_of_links(path), .file = std::nullopt};
+    // Looked at once more, for others may have replaced it meanwhile.
+    if (::lstat(target.path.c_str(), &file) == 0)
+        target.file = file;
+    else if (there && target.path.ends_with(mark_of_nameless))
         return fail(
             plain_error(ErrorKind::InputOutput,
                         path + " is an open file without a name, which cannot be replaced"));

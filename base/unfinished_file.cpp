@@ -126,7 +126,8 @@ Result<UnfinishedFile> UnfinishedFile::open(const std::string& final_path,
     if (!target)
         return fail(target.error());
     // A rename would not ask whether the old file may be written.
-    if (target->file && ::faccessat(AT_FDCWD, target->path.c_str(), W_OK, AT_EACCESS) != 0)
+    if (target->file && ::faccessat(AT_FDCWD, target->path.c_str(), W_OK, AT_EACCESS) != 0 &&
+        errno != ENOENT)
         return fail(errno_error(ErrorKind::InputOutput, "replace", final_path));
     UnfinishedFile file(final_path, *target);
     const bool beside = hidden_folder.empty() || target->path != final_path;
