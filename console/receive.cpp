@@ -7,7 +7,7 @@
 #include "drivers/atomic_file.hpp"
 #include "drivers/packet_socket.hpp"
 #include "drivers/pcap_file.hpp"
-#include "pictures/picture_file.hpp"
+#include "drivers/user_file.hpp"
 #include "protocol/picture_frames.hpp"
 
 #include <fmt/format.h>
@@ -41,10 +41,10 @@ struct Options
 Result<void> take_capture(PictureAssembler& assembler, const std::string& path)
 {
     constexpr std::size_t most_bytes = 64 << 20;
-    const auto bytes = drivers::read_file(path, most_bytes);
+    const auto bytes = drivers::read_input(path, most_bytes);
     if (!bytes)
         return fail(bytes.error());
-    auto reader = drivers::PcapReader::open(drivers::as_bytes(*bytes), path);
+    auto reader = drivers::PcapReader::open(drivers::as_bytes(*bytes), drivers::input_name(path));
     if (!reader)
         return fail(reader.error());
     while (!assembler.settled()) {
@@ -110,7 +110,7 @@ Error incomplete(const PictureAssembler& assembler, const Options& options)
     const bool from_file = !options.capture.empty();
     const auto missing = assembler.missing_rows();
     std::string text =
-        from_file ? options.capture
+        from_file ? drivers::input_name(options.capture)
                   : fmt::format("{}: within {} seconds", options.interface, options.seconds);
     text += missing.size() == protocol::export_size.height
                 ? std::string(": no row of a picture")
@@ -135,8 +135,8 @@ void print_notes(const PictureAssembler& assembler)
 
 Result<void> receive(const Options& options)
 {
-    if (const auto format = pictures::format_of(options.output); !format)
-        return fail(format.error()); // before the work, not after it
+    if (auto possible = check_picture_output(options.output); !possible)
+        return possible;
     PictureAssembler assembler;
     const auto taken = take_picture(assembler, options);
     if (assembler.complete()) {
@@ -161,7 +161,8 @@ void add_receive(CLI::App& app, Run& run)
     CLI::Option* const interface =
         where->add_option("--interface", options->interface, "a network interface; CAP_NET_RAW")
             ->type_name("IF");
-    where->add_option("--pcap", options->capture, "a capture file")->type_name("FILE");
+    where->add_option("--pcap", options->capture, "a capture file; - is standard input")
+        ->type_name("FILE");
     where->require_option(1);
     command
         ->add_option("-o,--output", options->output,

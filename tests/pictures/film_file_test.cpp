@@ -5,7 +5,7 @@
 
 #include "pictures/picture_file.hpp"
 #include "tests/fakes/temporary_folder.hpp"
-#include "tests/pictures/file_size_limit.hpp"
+#include "tests/fakes/file_size_limit.hpp"
 #include "tests/pictures/test_pictures.hpp"
 
 #include <gtest/gtest.h>
