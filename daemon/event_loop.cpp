@@ -75,6 +75,19 @@ Source EventLoop::add_timer(std::function<void()> handler)
     return source;
 }
 
+Source EventLoop::add_call(std::function<void()> handler)
+{
+    Source source(new EventSource);
+    source->handler_ = [handler = std::move(handler)](std::uint32_t) { handler(); };
+    const auto call = [](sd_event_source*, void* self) {
+        static_cast<EventSource*>(self)->handler_(0);
+        return 0;
+    };
+    if (sd_event_add_defer(event_, &source->source_, call, source.get()) < 0)
+        return nullptr;
+    return source;
+}
+
 Source EventLoop::add_signal(int signal, std::function<void()> handler)
 {
     Source source(new EventSource);

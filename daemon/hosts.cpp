@@ -35,9 +35,10 @@ struct SerialOpener
 
 } // namespace
 
-Hosts::Hosts(const Config& config, EventLoop& loop, Controller& controller)
+Hosts::Hosts(const Config& config, EventLoop& loop, Turns& turns, Controller& controller)
     : config_(config)
     , loop_(loop)
+    , turns_(turns)
     , controller_(controller)
     , retry_serial_(loop.add_timer([this] { open_serial(); }))
     , retry_control_(loop.add_timer([this] { open_control(); }))
@@ -64,13 +65,14 @@ void Hosts::open_serial()
         return;
     serial_problem_.clear();
     serial_back_off_.opened();
-    serial_.emplace(loop_, std::move(*port), controller_, [this](Endpoint& gone) {
-        log::warning("the serial port has gone away; it will be looked for");
-        dropped_before_ += gone.session().dropped_replies();
-        serial_.reset();
-        serial_back_off_.lost();
-        retry_serial_->arm(serial_back_off_.next());
-    });
+    serial_.emplace(loop_, turns_, Rank::First, std::move(*port), controller_,
+                    [this](Endpoint& gone) {
+                        log::warning("the serial port has gone away; it will be looked for");
+                        dropped_before_ += gone.session().dropped_replies();
+                        serial_.reset();
+                        serial_back_off_.lost();
+                        retry_serial_->arm(serial_back_off_.next());
+                    });
 }
 
 void Hosts::open_control()
@@ -106,10 +108,19 @@ void Hosts::accept_client()
         log::warning("a client was turned away: there are {} already", max_clients);
         return;
     }
-    clients_.emplace_back(loop_, std::move(*port), controller_, [this](Endpoint& gone) {
-        dropped_before_ += gone.session().dropped_replies();
-        clients_.remove_if([&](const Endpoint& client) { return &client == &gone; });
-    });
+    clients_.emplace_back(
+        loop_, turns_, Rank::Equal, std::move(*port), controller_, [this](Endpoint& gone) {
+            dropped_before_ += gone.session().dropped_replies();
+            clients_.remove_if([&](const Endpoint& client) { return &client == &gone; });
+        });
+}
+
+void Hosts::resume()
+{
+    for (Endpoint& client : clients_)
+        client.resume();
+    if (serial_)
+        serial_->resume();
 }
 
 void Hosts::write_serial_status(protocol::ReplyWriter& reply) const

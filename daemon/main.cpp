@@ -3,6 +3,7 @@
 #include "daemon/options.hpp"
 
 #include <csignal>
+#include <cstdlib>
 
 using namespace raymarch; // NOLINT(google-build-using-namespace): a main of a few lines
 
@@ -43,5 +44,8 @@ int main(int argc, char** argv)
     daemon::App app(
         *config, [&] { return daemon::load_config(options); }, *loop);
     const auto result = app.run();
-    return result ? 0 : report(result.error());
+    const int status = result ? 0 : report(result.error());
+    if (!app.drawing_has_ended())
+        std::_Exit(status);
+    return status;
 }
