@@ -38,7 +38,7 @@ struct Bitstream
     bool checked = false;               ///< all its frames stand under a check sequence that is
                                         ///< right; without one, damage in them cannot be seen
     std::size_t frame_words = 0;        ///< of frame data
-    std::size_t repeated_frames = 0;    ///< written again without their data; compressed ones only
+    std::size_t repeated_frames = 0;    ///< each written by one packet of MFWR; compressed only
     std::span<const std::uint8_t> data; ///< configuration words in the byte order of the form
 };
 
@@ -49,7 +49,7 @@ struct LogicDevice
     std::uint32_t idcode;        ///< without the revision
     std::size_t bitstream_bytes; ///< of a whole one that is not compressed
     std::size_t frames;          ///< of its configuration memory
-    std::size_t padding_frames;  ///< that a whole bitstream has in addition: two after each row
+    std::size_t padding_frames;  ///< in a whole bitstream: two after each row of each kind
 };
 
 /// PYNQ-Z1: XC7Z020-1CLG400C. (UG470 and UG585: IDCODE and length of the bitstream. Project X-Ray's
