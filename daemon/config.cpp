@@ -393,7 +393,12 @@ Result<void> read_config_file(Config& config, const std::string& path)
     const auto content = drivers::read_file(path, largest_config_file);
     if (!content)
         return fail(plain_error(ErrorKind::Config, content.error().message));
-    const toml::parse_result parsed = toml::parse(*content, path);
+    return read_config_text(config, *content, path);
+}
+
+Result<void> read_config_text(Config& config, std::string_view text, const std::string& path)
+{
+    const toml::parse_result parsed = toml::parse(text, path);
     if (!parsed)
         return fail(plain_error(ErrorKind::Config,
                                 fmt::format("{}:{}: {}", path, parsed.error().source().begin.line,

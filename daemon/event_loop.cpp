@@ -101,6 +101,20 @@ Source EventLoop::add_signal(int signal, std::function<void()> handler)
     return source;
 }
 
+Source EventLoop::add_inotify(const char* folder, std::uint32_t mask,
+                              std::function<void(const inotify_event&)> handler)
+{
+    Source source(new EventSource);
+    source->on_change_ = std::move(handler);
+    const auto call = [](sd_event_source*, const inotify_event* event, void* self) {
+        static_cast<EventSource*>(self)->on_change_(*event);
+        return 0;
+    };
+    if (sd_event_add_inotify(event_, &source->source_, folder, mask, call, source.get()) < 0)
+        return nullptr;
+    return source;
+}
+
 bool EventLoop::feed_watchdog() noexcept
 {
     return sd_event_set_watchdog(event_, 1) > 0;

@@ -5,6 +5,7 @@
 
 #include "base/result.hpp"
 
+#include <sys/inotify.h>
 #include <systemd/sd-event.h>
 
 #include <chrono>
@@ -35,6 +36,7 @@ class EventSource
     EventSource() = default;
     sd_event_source* source_ = nullptr;
     std::function<void(std::uint32_t)> handler_;
+    std::function<void(const inotify_event&)> on_change_; ///< in place of handler_, of inotify
 };
 using Source = std::unique_ptr<EventSource>;
 
@@ -59,6 +61,11 @@ class EventLoop
     [[nodiscard]] Source add_call(std::function<void()> handler);
     /// The signal must be blocked in every thread.
     [[nodiscard]] Source add_signal(int signal, std::function<void()> handler);
+
+    /// Changes in a folder, or of a file, told by inotify; `mask` as inotify_add_watch() takes it.
+    /// The handler must not destroy this source.
+    [[nodiscard]] Source add_inotify(const char* folder, std::uint32_t mask,
+                                     std::function<void(const inotify_event&)> handler);
 
     /// Feeds systemd's watchdog where there is one; says whether there is.
     bool feed_watchdog() noexcept;

@@ -205,6 +205,11 @@ TEST(Config, ActionsGetLinesAndLoseThem)
     Config config = default_config();
     ASSERT_TRUE(set_line(config, "reset", "keys:4,active-low,pull-up"));
     EXPECT_EQ(line_of(config, "reset"), drivers::parse_line_spec("keys:4,active-low,pull-up"));
+    ASSERT_TRUE(set_line(config, "reset", "GPIO 17|'J8:3'"));
+    EXPECT_EQ(line_of(config, "reset")->places.at(0).name, "GPIO 17");
+    EXPECT_EQ(line_of(config, "reset")->places.at(1).name, "J8:3");
+    ASSERT_TRUE(set_line(config, "lock", "'none'"));
+    EXPECT_TRUE(line_of(config, "lock"));
     ASSERT_TRUE(set_line(config, "lock", "none"));
     EXPECT_FALSE(line_of(config, "lock"));
     EXPECT_TRUE(line_of(config, "turn"));
