@@ -267,6 +267,21 @@ TEST(OverlayTool, AFifoIsNotWaitedFor)
     EXPECT_EQ(run_tool(folder, {"overlay", "status", "--sysfs-root", root}).status, EX_OK);
 }
 
+TEST(Console, AHistoryThatIsNoFileIsNotWaitedFor)
+{
+    const TemporaryFolder folder;
+    const Service service(folder);
+    ASSERT_TRUE(service.ready());
+    fs::create_directory(folder / "home");
+    const Fifo fifo(folder / "home/raymarchctl_history");
+    test::write_text(folder / "input", "PING\n");
+    Process console({RAYMARCHCTL, "console", "--socket", service.control()}, folder / "console",
+                    {{"XDG_STATE_HOME", folder / "home"}}, folder / "input");
+    EXPECT_EQ(console.wait(), EX_OK) << console.errors();
+    EXPECT_NE(console.output().find("OK"), std::string::npos);
+    EXPECT_TRUE(fs::is_fifo(fifo.path));
+}
+
 // --- the service ---
 
 bool says(const Service& service, const std::string& text)
