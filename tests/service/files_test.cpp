@@ -18,6 +18,8 @@
 
 #include <csignal>
 #include <filesystem>
+#include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -44,6 +46,11 @@ struct Writer
     const char* option;
     const char* ending;
 };
+
+void PrintTo(const Writer& writer, std::ostream* stream)
+{
+    *stream << writer.name;
+}
 
 /// `receive` reads the capture that the fixture makes.
 const std::vector<Writer> writers = {
