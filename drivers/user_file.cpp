@@ -176,7 +176,7 @@ Result<void> write_output(const std::string& path, std::span<const std::uint8_t>
 {
     if (auto possible = check_output(path); !possible)
         return possible;
-    std::fflush(stdout); // what was printed comes first
+    static_cast<void>(std::fflush(stdout)); // what was printed comes first
     const auto stream = open_stream(path, output);
     if (!stream)
         return fail(stream.error());

@@ -97,13 +97,15 @@ TEST_P(AtomicFile, OnlyAFileIsReplaced)
     EXPECT_EQ(names_in(folder / ""), special.names()) << "nothing unfinished is left";
 }
 
-TEST_P(AtomicFile, DevicesOfTheMachineStay)
+TEST_P(AtomicFile, DevicesStay)
 {
-    for (const char* const device : {"/dev/null", "/dev/full", "/dev/zero"}) {
+    for (const char* const name : {"null", "full"}) {
+        const std::string device = test::spare_device(folder / "", name);
+        if (device.empty())
+            GTEST_SKIP() << "no device can be made here";
         const auto result = replace(device, "x");
         ASSERT_FALSE(result) << device;
-        EXPECT_EQ(result.error().message,
-                  std::string(device) + " is a character device, not a file");
+        EXPECT_EQ(result.error().message, device + " is a character device, not a file");
         EXPECT_TRUE(fs::is_character_file(device));
     }
 }

@@ -4,8 +4,8 @@
 #include "drivers/bus_fault.hpp"
 #include "drivers/uio_device.hpp"
 #include "tests/fakes/fake_kernel.hpp"
-#include "tests/fakes/temporary_folder.hpp"
 #include "tests/fakes/file_size_limit.hpp"
+#include "tests/fakes/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,23 +4,23 @@
 #include "base/unique_fd.hpp"
 #include "drivers/atomic_file.hpp"
 #include "tests/fakes/child.hpp"
+#include "tests/fakes/fifo.hpp"
 #include "tests/fakes/special_files.hpp"
 #include "tests/fakes/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
-#include <poll.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <future>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace raymarch::drivers
 {
@@ -43,29 +43,6 @@ std::string by_descriptor(int fd)
 {
     return "/dev/fd/" + std::to_string(fd);
 }
-
-std::string read_to_end(int fd)
-{
-    std::string content;
-    std::array<char, 4096> chunk{};
-    for (;;) {
-        const ssize_t size = ::read(fd, chunk.data(), chunk.size());
-        if (size <= 0)
-            return content;
-        content.append(chunk.data(), static_cast<std::size_t>(size));
-    }
-}
-
-/// A new FIFO with one open end, so that the other one finds it.
-struct Fifo
-{
-    explicit Fifo(const std::string& name) : path(name)
-    {
-        if (::mkfifo(path.c_str(), 0600) != 0)
-            throw std::runtime_error("no FIFO " + path);
-    }
-    std::string path;
-};
 
 struct Pipe
 {
@@ -97,29 +74,30 @@ TEST(WriteOutput, AFileIsReplaced)
 
 TEST(WriteOutput, ADeviceTakesIt)
 {
-    ASSERT_TRUE(write("/dev/null", large));
-    EXPECT_TRUE(fs::is_character_file("/dev/null"));
     const test::TemporaryFolder folder;
-    fs::create_symlink("/dev/null", folder / "link");
+    const std::string null = test::spare_device(folder / "", "null");
+    const std::string full = test::spare_device(folder / "", "full");
+    if (null.empty() || full.empty())
+        GTEST_SKIP() << "no device can be made here";
+    ASSERT_TRUE(write(null, large));
+    EXPECT_TRUE(fs::is_character_file(null));
+    fs::create_symlink(null, folder / "link");
     ASSERT_TRUE(write(folder / "link", large));
     EXPECT_TRUE(fs::is_symlink(folder / "link"));
-    const auto full = write("/dev/full", "x");
-    ASSERT_FALSE(full);
-    EXPECT_EQ(full.error().number, ENOSPC);
-    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+    EXPECT_TRUE(fs::is_character_file(null));
+    const auto refused = write(full, "x");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().number, ENOSPC);
+    EXPECT_TRUE(fs::is_character_file(full));
 }
 
 TEST(WriteOutput, AFifoThatIsReadTakesIt)
 {
     const test::TemporaryFolder folder;
-    const Fifo fifo(folder / "fifo");
-    const UniqueFd reading(::open(fifo.path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-    ASSERT_EQ(::fcntl(reading.get(), F_SETFL, 0), 0);
+    const test::Fifo fifo(folder / "fifo");
+    const UniqueFd reading = test::open_unwritten(fifo.path);
     auto written = std::async(std::launch::async, [&] { return write(fifo.path, large); });
-    // Until the writer is there the FIFO is at its end.
-    pollfd waiting = {.fd = reading.get(), .events = POLLIN, .revents = 0};
-    ASSERT_EQ(::poll(&waiting, 1, -1), 1);
-    EXPECT_EQ(read_to_end(reading.get()), large);
+    EXPECT_EQ(test::read_to_end(reading.get()), large);
     EXPECT_TRUE(written.get());
     EXPECT_TRUE(fs::is_fifo(fifo.path));
     EXPECT_EQ(names_in(folder / ""), Names{"fifo"});
@@ -128,7 +106,7 @@ TEST(WriteOutput, AFifoThatIsReadTakesIt)
 TEST(WriteOutput, AFifoThatNobodyReadsIsNotWaitedFor)
 {
     const test::TemporaryFolder folder;
-    const Fifo fifo(folder / "fifo");
+    const test::Fifo fifo(folder / "fifo");
     const auto result = write(fifo.path, "x");
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().kind, ErrorKind::InputOutput);
@@ -160,7 +138,7 @@ TEST(WriteOutput, ADescriptorIsWrittenWhereItStands)
     Pipe pipe;
     ASSERT_TRUE(write(by_descriptor(pipe.writing.get()), "through a pipe"));
     pipe.writing.reset();
-    EXPECT_EQ(read_to_end(pipe.reading.get()), "through a pipe");
+    EXPECT_EQ(test::read_to_end(pipe.reading.get()), "through a pipe");
 
     const test::TemporaryFolder folder;
     const std::string path = folder / "log";
@@ -205,7 +183,7 @@ TEST(WriteOutput, AMinusAndDevStdoutAreStandardOutput)
                                        }),
                   0);
         pipe.writing.reset();
-        EXPECT_EQ(read_to_end(pipe.reading.get()), "printed, written") << name;
+        EXPECT_EQ(test::read_to_end(pipe.reading.get()), "printed, written") << name;
     }
     EXPECT_FALSE(fs::exists("-"));
 }
@@ -288,12 +266,13 @@ TEST(ReadInput, ADeviceIsRead)
 TEST(ReadInput, AFifoIsReadToItsWritersEnd)
 {
     const test::TemporaryFolder folder;
-    const Fifo fifo(folder / "fifo");
+    const test::Fifo fifo(folder / "fifo");
     auto content = std::async(std::launch::async, [&] { return read_input(fifo.path, limit); });
-    UniqueFd writing(::open(fifo.path.c_str(), O_WRONLY | O_CLOEXEC)); // waits for the reader
+    UniqueFd writing = test::open_once_read(fifo.path);
+    ASSERT_TRUE(writing);
     for (int part = 0; part < 3; ++part) {
         ASSERT_EQ(::write(writing.get(), large.data(), 100'000), 100'000);
-        std::this_thread::sleep_for(std::chrono::milliseconds(20)); // whatever it does meanwhile
+        std::this_thread::yield(); // whatever the reader does meanwhile
     }
     writing.reset();
     EXPECT_EQ(content.get().value(), large);
@@ -302,16 +281,16 @@ TEST(ReadInput, AFifoIsReadToItsWritersEnd)
 TEST(ReadInput, AWriterThatWritesNothingIsAnEmptyInput)
 {
     const test::TemporaryFolder folder;
-    const Fifo fifo(folder / "fifo");
+    const test::Fifo fifo(folder / "fifo");
     auto content = std::async(std::launch::async, [&] { return read_input(fifo.path, limit); });
-    UniqueFd(::open(fifo.path.c_str(), O_WRONLY | O_CLOEXEC)).reset();
+    ASSERT_TRUE(test::open_once_read(fifo.path)); // and closed again
     EXPECT_EQ(content.get().value(), "");
 }
 
 TEST(ReadInput, AFifoThatNobodyWritesToIsGivenUp)
 {
     const test::TemporaryFolder folder;
-    const Fifo fifo(folder / "fifo");
+    const test::Fifo fifo(folder / "fifo");
     const auto result = read_input(fifo.path, limit);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().kind, ErrorKind::InputOutput);

@@ -3,6 +3,7 @@
 /// What can stand at a path and is no file: made in a folder, for a test to try as input or output.
 #pragma once
 
+#include <fcntl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
@@ -40,6 +41,23 @@ inline void make_socket(const std::string& path)
     ::close(fd);
     if (bound != 0)
         throw std::runtime_error("no socket at " + path);
+}
+
+/// A device that a test may try to replace. `null` and `full` are made in `folder`, which ends in a
+/// slash, where that is permitted: root could destroy the machine's own. Others use those. Empty
+/// where there is none.
+[[nodiscard]] inline std::string spare_device(const std::string& folder, const std::string& name)
+{
+    if (::geteuid() != 0)
+        return "/dev/" + name;
+    const std::string path = folder + name;
+    const unsigned minor = name == "null" ? 3 : 7;
+    static_cast<void>(::mknod(path.c_str(), S_IFCHR | 0666, makedev(1, minor)));
+    const int fd = ::open(path.c_str(), O_WRONLY | O_CLOEXEC); // not where devices are switched off
+    if (fd < 0)
+        return {};
+    ::close(fd);
+    return path;
 }
 
 class SpecialFiles
