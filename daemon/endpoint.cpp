@@ -44,6 +44,7 @@ bool Endpoint::receive()
         const drivers::ReadOutcome outcome = port_->read(chunk);
         switch (outcome.status) {
         case drivers::ReadStatus::Data:
+            last_heard_ = std::chrono::steady_clock::now();
             session_.receive({chunk.data(), outcome.size});
             send();
             taken += outcome.size;

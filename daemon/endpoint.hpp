@@ -7,6 +7,7 @@
 #include "daemon/session.hpp"
 #include "drivers/ports.hpp"
 
+#include <chrono>
 #include <functional>
 #include <memory>
 
@@ -22,6 +23,8 @@ class Endpoint
              std::function<void(Endpoint&)> on_gone);
 
     [[nodiscard]] const Session& session() const noexcept { return session_; }
+    /// When the host said something last, or came.
+    [[nodiscard]] std::chrono::steady_clock::time_point last_heard() const { return last_heard_; }
 
   private:
     void on_ready(std::uint32_t events);
@@ -33,6 +36,7 @@ class Endpoint
     Session session_;
     std::function<void(Endpoint&)> on_gone_;
     bool waits_for_room_ = false;
+    std::chrono::steady_clock::time_point last_heard_ = std::chrono::steady_clock::now();
     Source source_; ///< last: it calls into all of the above
 };
 

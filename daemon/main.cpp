@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "base/standard_descriptors.hpp"
 #include "daemon/app.hpp"
 #include "daemon/options.hpp"
 
+#include <sysexits.h>
+
 #include <csignal>
+#include <exception>
 
 using namespace raymarch; // NOLINT(google-build-using-namespace): a main of a few lines
 
@@ -15,9 +19,7 @@ int report(const Error& error)
     return exit_status(error.kind);
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int serve(int argc, char** argv)
 {
     const auto command_line = daemon::parse_command_line(argc, argv);
     if (const int* status = std::get_if<int>(&command_line))
@@ -44,4 +46,18 @@ int main(int argc, char** argv)
         *config, [&] { return daemon::load_config(options); }, *loop);
     const auto result = app.run();
     return result ? 0 : report(result.error());
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    if (!fill_standard_descriptors())
+        return EX_OSERR;
+    try {
+        return serve(argc, argv);
+    } catch (const std::exception& error) { // no memory, or no thread, is left
+        log::error("{}", error.what());
+        return EX_OSERR;
+    }
 }
