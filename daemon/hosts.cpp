@@ -79,14 +79,12 @@ void Hosts::open_serial()
             log::warning("the serial port has gone away; it will be looked for");
             dropped_before_ += gone.session().dropped_replies();
             hang_ups_before_ += gone.session().hang_ups();
-            terminal_ = nullptr;
-            serial_.reset();
+            drop_serial();
             serial_back_off_.lost();
             retry_serial_->arm(serial_back_off_.next());
         });
         if (const auto problem = loop_.take_problem()) {
-            terminal_ = nullptr;
-            serial_.reset();
+            drop_serial();
             port = fail(*problem);
         }
     }
@@ -99,7 +97,25 @@ void Hosts::open_serial()
     serial_back_off_.opened();
     link_away_ = false;
     if (terminal_ != nullptr)
-        watch_link_ = watch_place(std::get<PseudoTerminalLink>(config_.serial).link);
+        watch_terminal();
+}
+
+void Hosts::watch_terminal()
+{
+    watch_link_ = watch_place(std::get<PseudoTerminalLink>(config_.serial).link);
+    if (terminal_->visits_fd() >= 0)
+        visits_ = loop_.add_io(terminal_->visits_fd(), EPOLLIN,
+                               [this](std::uint32_t) { terminal_->look(); });
+    if (const auto problem = loop_.take_problem())
+        log::info("hosts that follow one another at once will not be told apart: {}",
+                  problem->message);
+}
+
+void Hosts::drop_serial()
+{
+    visits_.reset();
+    terminal_ = nullptr;
+    serial_.reset();
 }
 
 // --- the control socket ---

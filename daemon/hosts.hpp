@@ -48,6 +48,8 @@ class Hosts
     [[nodiscard]] Source watch_place(const std::string& path);
     void look_at_places();
     void mend_link();
+    void watch_terminal();
+    void drop_serial();
 
     const Config& config_;
     EventLoop& loop_;
@@ -67,6 +69,7 @@ class Hosts
     BackOff link_back_off_;
     Source retry_link_;
     Source watch_link_;
+    Source visits_; ///< hosts that come to terminal_ and leave
 
     std::optional<drivers::SocketListener> listener_;
     std::string control_problem_;

@@ -14,6 +14,8 @@
 
 #include <array>
 #include <cerrno>
+#include <cstddef>
+#include <cstring>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -45,12 +47,14 @@ void open_to_group(const std::string& node) noexcept
         static_cast<void>(::chmod(node.c_str(), S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP));
 }
 
-/// Tells of each host that opens the node. Without one (no watch is left) only hosts that speak are
-/// known.
-UniqueFd watch_openings(const std::string& node) noexcept
+constexpr std::uint32_t closed = IN_CLOSE_WRITE | IN_CLOSE_NOWRITE;
+
+/// Tells of each host that opens or closes the node. Without it (no watch is left) only hosts that
+/// speak and leave the terminal to nobody are known.
+UniqueFd watch_visits(const std::string& node) noexcept
 {
     UniqueFd visits(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
-    if (::inotify_add_watch(visits.get(), node.c_str(), IN_OPEN) < 0)
+    if (::inotify_add_watch(visits.get(), node.c_str(), IN_OPEN | closed) < 0)
         visits.reset();
     return visits;
 }
@@ -93,7 +97,7 @@ Result<std::unique_ptr<PseudoTerminal>> PseudoTerminal::open(const std::string& 
     if (!settings)
         return fail(errno_error(ErrorKind::InputOutput, "set up", name.data()));
     open_to_group(name.data());
-    UniqueFd visits = watch_openings(name.data());
+    UniqueFd visits = watch_visits(name.data());
     if (auto placed = place_link(name.data(), place); !placed)
         return fail(placed.error());
     std::unique_ptr<PseudoTerminal> terminal(
@@ -134,13 +138,40 @@ Result<void> PseudoTerminal::restore_link()
     return {};
 }
 
-bool PseudoTerminal::visited() noexcept
+/// Whether the last host left and another has come since. inotify tells two events of one kind that
+/// nobody took in between as one, so of hosts that come together the count can be too low. Then the
+/// last of them that is counted leaves, and somebody has the terminal open all the same.
+bool PseudoTerminal::take_visits() noexcept
 {
-    bool any = false;
-    std::array<char, 1024> events; // NOLINT(*-member-init): read, and not looked at
-    while (visits_ && ::read(visits_.get(), events.data(), events.size()) > 0)
-        any = true;
-    return any;
+    bool empty = false;
+    bool followed = false;
+    std::array<char, 1024> chunk; // NOLINT(*-member-init): read before use
+    for (ssize_t size = 0;
+         visits_ && (size = ::read(visits_.get(), chunk.data(), chunk.size())) > 0;) {
+        inotify_event event = {};
+        for (std::size_t at = 0; at < static_cast<std::size_t>(size);
+             at += sizeof event + event.len) {
+            std::memcpy(&event, chunk.data() + at, sizeof event); // whose place is not aligned
+            if ((event.mask & IN_OPEN) != 0) {
+                ++hosts_;
+                visited_ = true;
+                followed = followed || std::exchange(empty, false);
+            } else if ((event.mask & closed) != 0 && hosts_ > 0) {
+                empty = --hosts_ == 0;
+            }
+        }
+    }
+    if (empty && !nobody_has_it_open())
+        hosts_ = 1;
+    return followed;
+}
+
+void PseudoTerminal::look() noexcept
+{
+    if (!take_visits())
+        return;
+    static_cast<void>(start_afresh());
+    hung_up_ = hung_up_ || std::exchange(host_spoke_, false);
 }
 
 bool PseudoTerminal::nobody_has_it_open() const noexcept
@@ -154,13 +185,15 @@ bool PseudoTerminal::nobody_has_it_open() const noexcept
 /// out, too, and so everybody for good.
 bool PseudoTerminal::start_afresh() noexcept
 {
+    const bool alone = nobody_has_it_open();
     ::tcsetattr(fd_.get(), TCSANOW, &settings_);
     const UniqueFd other_end(::open(name_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
     if (!other_end)
         return errno != EBUSY || !nobody_has_it_open();
     const int ordinary = N_TTY;
     ::ioctl(other_end.get(), TIOCSETD, &ordinary);
-    ::ioctl(other_end.get(), TIOCNXCL);
+    if (alone) // else it is the next host's own
+        ::ioctl(other_end.get(), TIOCNXCL);
     ::tcflow(other_end.get(), TCOON);
     ::tcflush(other_end.get(), TCIFLUSH);
     return true;
@@ -168,17 +201,22 @@ bool PseudoTerminal::start_afresh() noexcept
 
 ReadOutcome PseudoTerminal::read(std::span<char> into) noexcept
 {
+    look();
+    if (std::exchange(hung_up_, false))
+        return {ReadStatus::HungUp, 0}; // before the next host's first bytes
     const ReadOutcome outcome = read_some(fd_.get(), into, ReadStatus::HungUp);
     if (outcome.status == ReadStatus::Data)
         host_spoke_ = true;
     if (outcome.status != ReadStatus::HungUp)
         return outcome;
     // Opening and closing the other end makes a hang-up of its own; that one is not news.
-    if (!visited() && !host_spoke_)
+    if (!visited_ && !host_spoke_)
         return {ReadStatus::Empty, 0};
     if (!start_afresh())
         return {ReadStatus::Gone, 0};
-    static_cast<void>(visited()); // by ourselves
+    static_cast<void>(take_visits()); // by ourselves
+    visited_ = false;
+    hosts_ = 0;
     return {std::exchange(host_spoke_, false) ? ReadStatus::HungUp : ReadStatus::Empty, 0};
 }
 

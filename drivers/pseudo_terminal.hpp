@@ -38,6 +38,12 @@ class PseudoTerminal final : public BytePort
     [[nodiscard]] ReadOutcome read(std::span<char> into) noexcept override;
     [[nodiscard]] std::size_t write(std::string_view bytes) noexcept override;
 
+    /// Readable when a host has come or left; -1 when that cannot be watched. look() then puts the
+    /// terminal in order for a host that came at once after another, and the next read() is a
+    /// HungUp. While nobody looks, or no host says anything, nothing else tells the two from one.
+    [[nodiscard]] int visits_fd() const noexcept { return visits_.get(); }
+    void look() noexcept;
+
     /// The terminal's own name, /dev/pts/N.
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
@@ -49,8 +55,7 @@ class PseudoTerminal final : public BytePort
   private:
     PseudoTerminal(UniqueFd fd, UniqueFd visits, const termios& settings, std::string name,
                    std::string link) noexcept;
-    /// Whether anybody has opened the other end since the last look.
-    [[nodiscard]] bool visited() noexcept;
+    [[nodiscard]] bool take_visits() noexcept;
     [[nodiscard]] bool nobody_has_it_open() const noexcept;
     [[nodiscard]] bool start_afresh() noexcept;
 
@@ -61,7 +66,10 @@ class PseudoTerminal final : public BytePort
     std::string name_;
     std::string link_;
     std::optional<FileIdentity> own_link_;
+    int hosts_ = 0;          ///< how many have the other end open, as far as is known
+    bool visited_ = false;   ///< somebody opened it since it was alone
     bool host_spoke_ = true; ///< since the last hang-up
+    bool hung_up_ = false;   ///< and the next read is to say so
 };
 
 } // namespace raymarch::drivers

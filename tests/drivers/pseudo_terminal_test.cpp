@@ -20,6 +20,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -348,6 +349,59 @@ TEST_P(LeftBehind, IsNotTheNextHosts)
 INSTANTIATE_TEST_SUITE_P(Hosts, LeftBehind, testing::Values(true, false), [](const auto& row) {
     return row.param ? "ThatSpoke" : "ThatWereSilent";
 });
+
+/// The service was busy, or asleep, while one host left and the next came: it never saw the
+/// terminal alone. The half line that it has read is the first one's.
+TEST_F(Pty, AHostThatIsFollowedAtOnceIsSeenToLeave)
+{
+    for (const Leaving& leaving : leavings) {
+        if (std::string_view(leaving.name).find("exclusive") != std::string_view::npos ||
+            leaving.name == std::string_view("all at once"))
+            continue; // that one keeps the next out, unless it is root
+        SCOPED_TRACE(leaving.name);
+        while (read_status() != ReadStatus::Empty) { // until the one before is forgotten
+        }
+        std::optional<Host> first(std::in_place, link);
+        port->look();
+        first->say("PIN");
+        EXPECT_EQ(read_text(), "PIN");
+        EXPECT_EQ(read_status(), ReadStatus::Empty);
+        EXPECT_EQ(port->write("a reply\r\n"), 9U);
+        EXPECT_TRUE(test::readable(first->fd())); // before its settings change
+        leaving.leave(first->fd());
+        first.reset();
+        const Host next(link);
+        EXPECT_TRUE(test::readable(port->visits_fd()));
+        port->look();
+        EXPECT_EQ(next.hear(), "") << "the first one's reply";
+        expect_raw(next.settings());
+        next.say("PING\n");
+        EXPECT_EQ(read_status(), ReadStatus::HungUp);
+        EXPECT_EQ(read_text(), "PING\n");
+        EXPECT_EQ(port->write("OK\r\n"), 4U);
+        EXPECT_TRUE(test::readable(next.fd()));
+        EXPECT_EQ(next.hear(), "OK\r\n");
+    }
+}
+
+/// One program reads while others write, one after the other: the terminal is never left.
+TEST_F(Pty, WhoReadsBesideOthersThatComeAndGoLosesNothing)
+{
+    const Host reader(link);
+    port->look();
+    for (int i = 0; i < 3; ++i) {
+        Host(link).say("PING\n");
+        EXPECT_EQ(read_text(), "PING\n");
+        EXPECT_EQ(read_status(), ReadStatus::Empty);
+        EXPECT_EQ(port->write("OK\r\n"), 4U);
+        port->look();
+    }
+    EXPECT_EQ(read_status(), ReadStatus::Empty);
+    std::string heard;
+    while (heard.size() < 12 && test::readable(reader.fd()))
+        heard += reader.hear();
+    EXPECT_EQ(heard, "OK\r\nOK\r\nOK\r\n");
+}
 
 /// Our own look at the other end must not wake us again and again.
 TEST_F(Pty, ComesToRestAfterAHostHasLeft)
