@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "base/log.hpp"
 
-#include <sys/uio.h>
+#include "base/unique_fd.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
+#include <mutex>
+#include <new>
+#include <utility>
 
 namespace raymarch::log
 {
@@ -33,9 +45,169 @@ bool journal_reads() noexcept
     return result;
 }
 
-iovec piece(std::string_view text) noexcept
+/// Whether a byte of a message would end the line, or steer a terminal. The controls above 0x7F are
+/// those that UTF-8 writes as C2 80 to C2 9F.
+bool is_control(unsigned char byte, unsigned char before) noexcept
 {
-    return {const_cast<char*>(text.data()), text.size()}; // NOLINT: writev only reads
+    return byte < 0x20 || byte == 0x7F || (before == 0xC2 && byte >= 0x80 && byte < 0xA0);
+}
+
+/// One line in a buffer of its own.
+class Line
+{
+  public:
+    explicit Line(Level level) noexcept
+    {
+        const std::array<char, 3> priority = {'<', static_cast<char>('0' + static_cast<int>(level)),
+                                              '>'};
+        if (journal_reads())
+            add({priority.data(), priority.size()});
+        else
+            add("raymarchd: ");
+    }
+    void add(std::string_view text) noexcept
+    {
+        unsigned char before = 0;
+        for (const char c : text) {
+            const auto byte = static_cast<unsigned char>(c);
+            if (is_control(byte, std::exchange(before, byte))) {
+                constexpr std::string_view digits = "0123456789abcdef";
+                const std::array shown = {'\\', 'x', digits[byte >> 4], digits[byte & 0xF]};
+                put({shown.data(), shown.size()});
+            } else {
+                put({&c, 1});
+            }
+        }
+    }
+    void add(std::uint64_t number) noexcept
+    {
+        std::array<char, 20> digits{};
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+        put({digits.data(), static_cast<std::size_t>(end - digits.data())});
+    }
+    /// The line with its ending.
+    [[nodiscard]] std::string_view end() noexcept
+    {
+        const std::string_view ending = cut_ ? "...\n" : "\n";
+        std::copy(ending.begin(), ending.end(), bytes_.data() + size_);
+        return {bytes_.data(), size_ + ending.size()};
+    }
+
+  private:
+    void put(std::string_view piece) noexcept
+    {
+        constexpr std::size_t for_ending = 4;
+        cut_ = cut_ || size_ + piece.size() > bytes_.size() - for_ending;
+        if (cut_)
+            return;
+        std::copy(piece.begin(), piece.end(), bytes_.data() + size_);
+        size_ += piece.size();
+    }
+    std::array<char, longest_line> bytes_; // NOLINT(*-member-init): written before it is read
+    std::size_t size_ = 0;
+    bool cut_ = false;
+};
+
+/// Standard error as it is written to without waiting. What is behind the number may change while
+/// the program runs (a test that redirects it), so it is looked at again with each line.
+class Output
+{
+  public:
+    /// How many bytes went out now, possibly none.
+    std::size_t write(std::string_view bytes) noexcept
+    {
+        struct stat info = {};
+        if (::fstat(STDERR_FILENO, &info) != 0)
+            return bytes.size(); // nothing is there; nothing is lost that anybody could read
+        ssize_t sent = -1;
+        if (S_ISSOCK(info.st_mode))
+            sent = ::send(STDERR_FILENO, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+        else if (S_ISFIFO(info.st_mode) || S_ISCHR(info.st_mode))
+            sent = write_unblocked(info, bytes);
+        else // a file, which never waits for a reader
+            sent = ::write(STDERR_FILENO, bytes.data(), bytes.size());
+        return sent > 0 ? static_cast<std::size_t>(sent) : 0;
+    }
+
+  private:
+    /// O_NONBLOCK belongs to the open file, which other processes share with us. So a pipe or a
+    /// terminal is opened once more, for ourselves.
+    ssize_t write_unblocked(const struct stat& info, std::string_view bytes) noexcept
+    {
+        if (own_ && (info.st_dev != device_ || info.st_ino != number_))
+            own_.reset();
+        if (!own_) {
+            device_ = info.st_dev;
+            number_ = info.st_ino;
+            own_ =
+                UniqueFd(::open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+        }
+        if (own_)
+            return ::write(own_.get(), bytes.data(), bytes.size());
+        // Not to be opened (another user's terminal, no /proc): what a look says has to do. A pipe
+        // that has room has it for a whole line.
+        pollfd end = {.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
+        if (::poll(&end, 1, 0) != 1 || (end.revents & POLLOUT) == 0)
+            return 0;
+        return ::write(STDERR_FILENO, bytes.data(), bytes.size());
+    }
+
+    UniqueFd own_;
+    dev_t device_ = 0;
+    ino_t number_ = 0;
+};
+
+/// The lines in the order in which they come, from whichever thread.
+class Writer
+{
+  public:
+    void write(Level level, std::string_view text) noexcept
+    {
+        const std::scoped_lock lock(mutex_);
+        if (lost_ > 0 && !write_lost()) {
+            ++lost_;
+            return;
+        }
+        Line line(level);
+        line.add(text);
+        if (!put(line.end()))
+            ++lost_;
+    }
+
+  private:
+    bool write_lost() noexcept
+    {
+        Line line(Level::Warning);
+        line.add(lost_);
+        line.add(lost_ == 1 ? " line of the log was lost" : " lines of the log were lost");
+        if (!put(line.end()))
+            return false;
+        lost_ = 0;
+        return true;
+    }
+    /// A line that went out by half counts as lost; the next begins after its end.
+    bool put(std::string_view line) noexcept
+    {
+        if (broken_ && output_.write("\n") == 0)
+            return false;
+        broken_ = false;
+        const std::size_t sent = output_.write(line);
+        broken_ = sent > 0 && sent < line.size();
+        return sent == line.size();
+    }
+
+    std::mutex mutex_;
+    Output output_;
+    std::uint64_t lost_ = 0;
+    bool broken_ = false;
+};
+
+/// Never destroyed: a thread may log until the process ends.
+Writer& writer() noexcept
+{
+    alignas(Writer) static std::array<std::byte, sizeof(Writer)> place;
+    static Writer* const only = ::new (place.data()) Writer;
+    return *only;
 }
 
 } // namespace
@@ -60,14 +232,7 @@ bool enabled(Level level) noexcept
 
 void write_line(Level level, std::string_view text) noexcept
 {
-    const std::array<char, 3> priority = {'<', static_cast<char>('0' + static_cast<int>(level)),
-                                          '>'};
-    std::string_view prefix = "raymarchd: ";
-    if (journal_reads())
-        prefix = {priority.data(), priority.size()};
-    const std::array parts = {piece(prefix), piece(text), piece("\n")};
-    // A log line that cannot be written has nowhere to be reported.
-    [[maybe_unused]] const auto written = ::writev(STDERR_FILENO, parts.data(), parts.size());
+    writer().write(level, text);
 }
 
 } // namespace raymarch::log

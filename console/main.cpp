@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/standard_descriptors.hpp"
 #include "console/subcommands.hpp"
 
 #include <fmt/format.h>
@@ -22,6 +23,8 @@ int report(const Error& error)
 int main(int argc, char** argv)
 {
     namespace console = raymarch::console;
+    if (!raymarch::fill_standard_descriptors())
+        return EX_OSERR;
     CLI::App app("raymarchctl: the tool beside raymarchd", "raymarchctl");
     app.set_version_flag("--version", "raymarchctl " RAYMARCH_VERSION);
     app.require_subcommand(1);

@@ -68,12 +68,18 @@ Result<void> App::run()
     for (const int number : {SIGTERM, SIGINT})
         signals_.push_back(loop_.add_signal(number, [this] { loop_.quit(); }));
     signals_.push_back(loop_.add_signal(SIGHUP, [this] { reload_config(); }));
+    if (const auto problem =
+            loop_.take_problem()) // timers and signals are what all else is built on
+        return fail(*problem);
 
+    if (auto locked = store_.lock(); !locked)
+        return locked;
     // Before the hardware, which asks for the state as soon as it is found.
     store_.read();
     if (const auto state = store_.last(controller_.accelerator()))
         static_cast<void>(controller_.restore(*state)); // the board comes later
-    hardware_.start();
+    if (auto started = hardware_.start(); !started)
+        return started;
     hosts_->open_serial();
     panel_->start();
     hosts_->open_control();

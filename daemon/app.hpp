@@ -66,7 +66,7 @@ class App final : public StatusSource
     std::optional<Hosts> hosts_; ///< borrows controller_ and turns_
 
     std::list<Source> signals_;
-    bool drawing_has_ended_ = false;
+    bool drawing_has_ended_ = true;
 };
 
 } // namespace raymarch::daemon

@@ -51,10 +51,13 @@ bool Endpoint::take_turn(const TurnIsOver& turn_is_over)
             // A UART goes on sending while a disk works.
             if (end_ == End::None && input_.size() < buffer_.size() && read())
                 break;
+            last_heard_ = std::chrono::steady_clock::now();
             return false;
         }
-        if (turn_is_over())
+        if (turn_is_over()) {
+            last_heard_ = std::chrono::steady_clock::now();
             return true;
+        }
     }
 }
 

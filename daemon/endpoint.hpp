@@ -29,7 +29,8 @@ class Endpoint
     void resume() { turn_.ready(); }
 
     [[nodiscard]] const Session& session() const noexcept { return session_; }
-    /// When the last bytes came; at first, when the endpoint was made.
+    /// When the last bytes came, or a line of this host was being worked on; at first, when the
+    /// endpoint was made.
     [[nodiscard]] std::chrono::steady_clock::time_point last_heard() const noexcept
     {
         return last_heard_;

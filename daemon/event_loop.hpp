@@ -12,11 +12,14 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace raymarch::daemon
 {
 
-/// One event source with its handler; removing it is destroying it.
+/// One event source with its handler; removing it is destroying it. One that could not be added
+/// (EventLoop::take_problem() says why) is there all the same, and nothing ever comes from it.
 class EventSource
 {
   public:
@@ -46,7 +49,10 @@ class EventLoop
   public:
     /// Errors: Unavailable.
     [[nodiscard]] static Result<EventLoop> open();
-    EventLoop(EventLoop&& other) noexcept : event_(std::exchange(other.event_, nullptr)) {}
+    EventLoop(EventLoop&& other) noexcept
+        : event_(std::exchange(other.event_, nullptr))
+        , problem_(std::exchange(other.problem_, std::nullopt))
+    {}
     EventLoop(const EventLoop&) = delete;
     EventLoop& operator=(const EventLoop&) = delete;
     EventLoop& operator=(EventLoop&&) = delete;
@@ -67,16 +73,28 @@ class EventLoop
     [[nodiscard]] Source add_inotify(const char* folder, std::uint32_t mask,
                                      std::function<void(const inotify_event&)> handler);
 
+    /// The first source since the last call that could not be added: no descriptor, no memory or no
+    /// watch is left, or there is no such folder. Nothing when all were. Kind: Unavailable.
+    [[nodiscard]] std::optional<Error> take_problem() noexcept
+    {
+        return std::exchange(problem_, std::nullopt);
+    }
+
     /// Feeds systemd's watchdog where there is one; says whether there is.
     bool feed_watchdog() noexcept;
 
-    /// Until quit(). Errors: InputOutput when the loop itself fails.
+    /// Until quit(). Errors: InputOutput when the loop itself fails, or a handler runs out of
+    /// memory or threads.
     [[nodiscard]] Result<void> run();
     void quit() noexcept;
 
   private:
     explicit EventLoop(sd_event* event) noexcept : event_(event) {}
+    /// The source, or one without its handler where sd-event refused it.
+    [[nodiscard]] Source added(Source source, const char* what, int result);
+
     sd_event* event_;
+    std::optional<Error> problem_;
 };
 
 } // namespace raymarch::daemon

@@ -5,6 +5,7 @@
 #include "drivers/board_tree.hpp"
 #include "drivers/fpga_manager.hpp"
 #include "drivers/kernel_tree.hpp"
+#include "drivers/lock_file.hpp"
 #include "drivers/logic_loader.hpp"
 #include "drivers/mapped_window.hpp"
 #include "drivers/uio_device.hpp"
@@ -14,6 +15,7 @@
 #include <sys/epoll.h>
 
 #include <cassert>
+#include <system_error>
 
 namespace raymarch::daemon
 {
@@ -61,17 +63,23 @@ struct Opener
     const OpenUio& open_uio;
     const protocol::Accelerator& accelerator;
     emulation::EmulatedBlock*& emulated;
+    std::string& place;
 
     BusResult emulate() const
     {
         emulation::EmulatedOptions options = config.emulated;
         options.size = emulated_size(config, accelerator);
         options.patience = emulation_patience;
-        auto block = emulation::EmulatedBlock::open(engine::model_of(accelerator), options,
-                                                    preview_to(config.preview));
-        if (block)
-            emulated = block->get();
-        return block;
+        try {
+            auto block = emulation::EmulatedBlock::open(engine::model_of(accelerator), options,
+                                                        preview_to(config.preview));
+            if (block)
+                emulated = block->get();
+            return block;
+        } catch (const std::system_error& error) { // no thread is left for its worker
+            return fail(Error{ErrorKind::Unavailable, error.code().value(),
+                              std::string("start the emulated accelerator: ") + error.what()});
+        }
     }
     /// An access to logic that is not configured, or has no clock, stops the board: the kernel is
     /// asked first.
@@ -83,6 +91,7 @@ struct Opener
             return fail(safe.error());
         if (auto runs = drivers::require_logic_clock(tree); !runs)
             return fail(runs.error());
+        place = device->node;
         return open_uio(*device);
     }
     BusResult operator()(const AutoRegisters&) const
@@ -104,6 +113,7 @@ struct Opener
     }
     BusResult operator()(const RegisterFile& where) const
     {
+        place = where.path;
         return drivers::MappedWindow::open_file(where.path, window_bytes);
     }
     BusResult operator()(const EmulatedRegisters&) const { return emulate(); }
@@ -127,19 +137,27 @@ Hardware::Hardware(const Config& config, EventLoop& loop, std::function<void()> 
     , on_ready_(std::move(on_ready))
     , open_uio_(std::move(open_uio))
     , wanted_(config.accelerator)
+    , look_(loop.add_timer([this] { look_at_place(); }))
     , retry_open_(loop.add_timer([this] { try_to_open(); }))
     , retry_deferred_(loop.add_timer([this] { retry_deferred(); }))
 {}
 
-void Hardware::start()
+Result<void> Hardware::start()
 {
-    try_to_open();
+    auto opened = open();
+    if (!opened && drivers::held_by_another(opened.error()))
+        return opened;
+    if (found(opened))
+        on_ready_();
+    return {};
 }
 
 Result<void> Hardware::open()
 {
     const drivers::KernelTree tree(config_.sysfs_root);
-    auto bus = std::visit(Opener{config_, tree, open_uio_, *wanted_, emulated_}, config_.registers);
+    place_.clear();
+    auto bus = std::visit(Opener{config_, tree, open_uio_, *wanted_, emulated_, place_},
+                          config_.registers);
     if (!bus)
         return fail(bus.error());
     bus_ = std::move(*bus);
@@ -165,7 +183,34 @@ Result<void> Hardware::probe()
     if (bus_->interrupt_fd() >= 0)
         interrupt_ =
             loop_.add_io(bus_->interrupt_fd(), EPOLLIN, [this](std::uint32_t) { on_interrupt(); });
+    if (const auto problem = loop_.take_problem()) {
+        log::info("the registers go on without an interrupt: {}", problem->message);
+        interrupt_.reset();
+    }
+    watch_place();
     return {};
+}
+
+/// A block whose file is removed or replaced is noticed also while nobody sends anything. Only
+/// noted by the handler: an inotify source must not be destroyed by its own.
+void Hardware::watch_place()
+{
+    if (place_.empty())
+        return;
+    // Of a device, IN_MODIFY would be each arming of its interrupt.
+    const bool file = std::holds_alternative<RegisterFile>(config_.registers);
+    const std::uint32_t changes =
+        IN_ATTRIB | IN_DELETE_SELF | IN_MOVE_SELF | (file ? IN_MODIFY : 0U);
+    watch_ = loop_.add_inotify(place_.c_str(), changes,
+                               [this](const inotify_event&) { look_->arm({}); });
+    if (const auto problem = loop_.take_problem())
+        log::info("{} is looked at only when it is used: {}", place_, problem->message);
+}
+
+void Hardware::look_at_place()
+{
+    if (bus_ && bus_->lost())
+        close();
 }
 
 bool Hardware::use(const protocol::Accelerator& accelerator)
@@ -187,7 +232,12 @@ void Hardware::try_to_open()
 
 bool Hardware::open_or_retry()
 {
-    if (const auto opened = open(); !opened) {
+    return found(open());
+}
+
+bool Hardware::found(const Result<void>& opened)
+{
+    if (!opened) {
         if (opened.error().message != last_problem_)
             log::warning("no register block: {}; it will be looked for again",
                          opened.error().message);
@@ -204,6 +254,7 @@ bool Hardware::open_or_retry()
 
 void Hardware::drop_bus()
 {
+    watch_.reset();
     interrupt_.reset();
     path_.reset();
     bus_.reset();

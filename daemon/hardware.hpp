@@ -37,8 +37,10 @@ class Hardware final : public Board
     Hardware(const Config& config, EventLoop& loop, std::function<void()> on_ready,
              OpenUio open_uio = open_uio_window);
 
-    /// Looks for the block now; when it is not there, again and again.
-    void start();
+    /// Looks for the block now; when it is not there, again and again. Errors: Unavailable, when
+    /// another process has the block: two services on one would be a mistake, and waiting would
+    /// hide it. One that is taken by another later is looked for like any that is not there.
+    [[nodiscard]] Result<void> start();
 
     [[nodiscard]] Health health() override;
     [[nodiscard]] Applied apply(const protocol::Words& words) override;
@@ -64,10 +66,14 @@ class Hardware final : public Board
     [[nodiscard]] Result<void> probe();
     /// False, and it will be tried again, when the block is not there.
     bool open_or_retry();
+    /// The same of the outcome of open().
+    bool found(const Result<void>& opened);
     void try_to_open();
     void drop_bus();
     void close();
     void on_interrupt();
+    void watch_place();
+    void look_at_place();
     void retry_deferred();
     void settle(Applied applied);
     void wait_for_frame_start();
@@ -91,6 +97,9 @@ class Hardware final : public Board
     std::unique_ptr<drivers::RegisterBus> bus_;
     std::optional<RegisterPath> path_; ///< borrows bus_
     Source interrupt_;                 ///< watches bus_
+    std::string place_;                ///< of the file or node behind bus_; empty: there is none
+    Source watch_;                     ///< of place_
+    Source look_;                      ///< something has changed there
     Source retry_open_;
     Source retry_deferred_;
 };

@@ -2,12 +2,14 @@
 #include "daemon/hosts.hpp"
 
 #include "base/log.hpp"
-#include "drivers/pseudo_terminal.hpp"
 #include "drivers/serial_port.hpp"
 
 #include <sys/epoll.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -17,6 +19,11 @@ namespace
 {
 
 constexpr std::size_t max_clients = 16;
+constexpr std::string_view too_many_clients = "there are 16 clients already";
+/// Who has said nothing for so long gives way when all places are taken.
+constexpr std::chrono::seconds longest_silence{10};
+/// Clients that are turned away are logged at most this often.
+constexpr std::chrono::seconds turned_away_interval{30};
 
 using PortResult = Result<std::unique_ptr<drivers::BytePort>>;
 
@@ -40,8 +47,15 @@ Hosts::Hosts(const Config& config, EventLoop& loop, Turns& turns, Controller& co
     , loop_(loop)
     , turns_(turns)
     , controller_(controller)
+    , look_(loop.add_timer([this] { look_at_places(); }))
     , retry_serial_(loop.add_timer([this] { open_serial(); }))
+    , retry_link_(loop.add_timer([this] { mend_link(); }))
     , retry_control_(loop.add_timer([this] { open_control(); }))
+    , retry_accept_(loop.add_timer([this] {
+        if (accept_)
+            accept_->watch(EPOLLIN);
+    }))
+    , log_turned_away_(loop.add_timer([this] { count_turned_away(); }))
 {}
 
 Hosts::~Hosts() = default;
@@ -53,66 +67,215 @@ void Hosts::log_once(std::string& last, const Error& error, const char* what)
     last = error.message;
 }
 
+// --- the serial port ---
+
 void Hosts::open_serial()
 {
     auto port = std::visit(SerialOpener{}, config_.serial);
+    if (port && *port == nullptr)
+        return;
+    if (port) {
+        terminal_ = dynamic_cast<drivers::PseudoTerminal*>(port->get());
+        serial_.emplace(loop_, turns_, Rank::First, std::move(*port), controller_,
+                        [this](Endpoint& gone) {
+                            log::warning("the serial port has gone away; it will be looked for");
+                            dropped_before_ += gone.session().dropped_replies();
+                            hang_ups_before_ += gone.session().hang_ups();
+                            drop_serial();
+                            serial_back_off_.lost();
+                            retry_serial_->arm(serial_back_off_.next());
+                        });
+        if (const auto problem = loop_.take_problem()) {
+            drop_serial();
+            port = fail(*problem);
+        }
+    }
     if (!port) {
         log_once(serial_problem_, port.error(), "no serial host");
         retry_serial_->arm(serial_back_off_.next());
         return;
     }
-    if (*port == nullptr)
-        return;
     serial_problem_.clear();
     serial_back_off_.opened();
-    serial_.emplace(loop_, turns_, Rank::First, std::move(*port), controller_,
-                    [this](Endpoint& gone) {
-                        log::warning("the serial port has gone away; it will be looked for");
-                        dropped_before_ += gone.session().dropped_replies();
-                        serial_.reset();
-                        serial_back_off_.lost();
-                        retry_serial_->arm(serial_back_off_.next());
-                    });
+    link_away_ = false;
+    if (terminal_ != nullptr)
+        watch_terminal();
 }
+
+void Hosts::watch_terminal()
+{
+    watch_link_ = watch_place(std::get<PseudoTerminalLink>(config_.serial).link);
+    if (terminal_->visits_fd() >= 0)
+        visits_ = loop_.add_io(terminal_->visits_fd(), EPOLLIN,
+                               [this](std::uint32_t) { terminal_->look(); });
+    if (const auto problem = loop_.take_problem())
+        log::info("hosts that follow one another at once will not be told apart: {}",
+                  problem->message);
+}
+
+void Hosts::drop_serial()
+{
+    visits_.reset();
+    terminal_ = nullptr;
+    serial_.reset();
+}
+
+// --- the control socket ---
 
 void Hosts::open_control()
 {
-    if (config_.control.empty())
+    if (config_.control.empty() || listener_)
         return;
-    if (!listener_) {
-        auto listener = drivers::SocketListener::open(config_.control);
-        if (!listener) {
-            log_once(control_problem_, listener.error(), "no control socket");
-            retry_control_->arm(control_back_off_.next());
-            return;
-        }
+    auto listener = drivers::SocketListener::open(config_.control);
+    if (listener) {
         listener_.emplace(std::move(*listener));
-        control_problem_.clear();
-        control_back_off_.reset();
+        accept_ =
+            loop_.add_io(listener_->fd(), EPOLLIN, [this](std::uint32_t) { accept_client(); });
+        if (const auto problem = loop_.take_problem()) {
+            listener_.reset();
+            listener = fail(*problem);
+        }
     }
-    accept_ = loop_.add_io(listener_->fd(), EPOLLIN, [this](std::uint32_t) { accept_client(); });
+    if (!listener) {
+        log_once(control_problem_, listener.error(), "no control socket");
+        retry_control_->arm(control_back_off_.next());
+        return;
+    }
+    control_problem_.clear();
+    control_back_off_.opened();
+    watch_control_ = watch_place(config_.control);
+}
+
+/// A client that waits on would wake the loop again and again.
+void Hosts::pause_accepting(const Error& problem)
+{
+    log_once(accept_problem_, problem, "a client of the control socket cannot be served");
+    accept_->watch(0);
+    if (!std::exchange(accept_pauses_, true))
+        accept_back_off_.lost();
+    retry_accept_->arm(accept_back_off_.next());
 }
 
 void Hosts::accept_client()
 {
     auto port = listener_->accept();
-    if (!port) { // the client waits on, and would wake the loop again and again
-        log_once(control_problem_, port.error(), "control socket");
-        accept_.reset();
-        retry_control_->arm(control_back_off_.next());
-        return;
-    }
+    if (!port)
+        return pause_accepting(port.error());
     if (*port == nullptr)
         return;
-    if (clients_.size() >= max_clients) {
-        log::warning("a client was turned away: there are {} already", max_clients);
+    if (clients_.size() >= max_clients && !make_room())
+        return turn_away(**port);
+    clients_.emplace_back(loop_, turns_, Rank::Equal, std::move(*port), controller_,
+                          [this](Endpoint& gone) { forget(gone); });
+    if (const auto problem = loop_.take_problem()) {
+        forget(clients_.back());
+        return pause_accepting(*problem);
+    }
+    if (!std::exchange(accept_pauses_, false))
+        return;
+    accept_problem_.clear(); // the next shortage is another one
+    accept_back_off_.opened();
+}
+
+void Hosts::forget(const Endpoint& client)
+{
+    dropped_before_ += client.session().dropped_replies();
+    clients_.remove_if([&](const Endpoint& other) { return &other == &client; });
+}
+
+/// Whoever only holds a place gives it to one that comes. False when all have spoken lately.
+bool Hosts::make_room()
+{
+    const auto silent = std::ranges::min_element(clients_, {}, &Endpoint::last_heard);
+    if (std::chrono::steady_clock::now() - silent->last_heard() < longest_silence)
+        return false;
+    log::info("the client that has been silent longest gives way to a new one");
+    forget(*silent);
+    return true;
+}
+
+/// Says why, once and without waiting for the client to read it.
+void Hosts::turn_away(drivers::BytePort& port)
+{
+    if (config_.replies != Replies::None) {
+        protocol::ReplyWriter reply;
+        reply.begin(false);
+        protocol::write_fault(reply, controller_.accelerator(),
+                              {.code = protocol::ErrorCode::Busy, .allowed = too_many_clients});
+        static_cast<void>(port.write(reply.text()));
+    }
+    ++turned_away_;
+    if (std::exchange(full_was_logged_, true))
+        return;
+    log::warning("a client was turned away: {}", too_many_clients);
+    turned_away_ = 0;
+    log_turned_away_->arm(turned_away_interval);
+}
+
+/// However fast they come, the log has one line for all of them.
+void Hosts::count_turned_away()
+{
+    full_was_logged_ = turned_away_ > 0;
+    if (!full_was_logged_)
+        return;
+    log::warning("{} more clients were turned away", std::exchange(turned_away_, 0));
+    log_turned_away_->arm(turned_away_interval);
+}
+
+// --- what others do to the socket and the link ---
+
+/// Tells of changes in the folder, or of the folder itself. Only noted by the handler: an inotify
+/// source must not be destroyed by its own.
+Source Hosts::watch_place(const std::string& path)
+{
+    const std::filesystem::path place = std::filesystem::absolute(path);
+    constexpr std::uint32_t changes = IN_CREATE | IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO |
+                                      IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
+    Source watch = loop_.add_inotify(
+        place.parent_path().c_str(), changes,
+        [this, name = place.filename().string()](const inotify_event& event) {
+            if (event.len == 0 || name == event.name) // NOLINT(*-array-to-pointer-decay): C's
+                look_->arm({});
+        });
+    if (const auto problem = loop_.take_problem())
+        log::info("{}: it will not be noticed when it is removed: {}", path, problem->message);
+    look_->arm({}); // for what happened before the watch began
+    return watch;
+}
+
+void Hosts::look_at_places()
+{
+    if (listener_ && !listener_->in_place()) {
+        log::warning("the control socket {} was removed or replaced; it will be made again",
+                     config_.control);
+        accept_.reset();
+        listener_.reset(); // clients that are connected stay
+        control_back_off_.lost();
+        retry_control_->arm(control_back_off_.next());
+    }
+    if (terminal_ != nullptr && !terminal_->link_in_place() && !std::exchange(link_away_, true)) {
+        log::warning(
+            "the link to the pseudo-terminal, {}, was removed or replaced; it will be made "
+            "again",
+            std::get<PseudoTerminalLink>(config_.serial).link);
+        link_back_off_.lost();
+        retry_link_->arm(link_back_off_.next());
+    }
+}
+
+void Hosts::mend_link()
+{
+    if (terminal_ == nullptr)
+        return; // the next one comes with a link
+    if (const auto restored = terminal_->restore_link(); !restored) {
+        log_once(link_problem_, restored.error(), "no link to the pseudo-terminal");
+        retry_link_->arm(link_back_off_.next());
         return;
     }
-    clients_.emplace_back(
-        loop_, turns_, Rank::Equal, std::move(*port), controller_, [this](Endpoint& gone) {
-            dropped_before_ += gone.session().dropped_replies();
-            clients_.remove_if([&](const Endpoint& client) { return &client == &gone; });
-        });
+    link_away_ = false;
+    link_problem_.clear();
+    link_back_off_.opened();
+    watch_link_ = watch_place(std::get<PseudoTerminalLink>(config_.serial).link);
 }
 
 void Hosts::resume()
@@ -123,12 +286,15 @@ void Hosts::resume()
         serial_->resume();
 }
 
+// --- STATUS ---
+
 void Hosts::write_serial_status(protocol::ReplyWriter& reply) const
 {
     const bool wants_serial = !std::holds_alternative<NoSerial>(config_.serial);
-    reply << " serial=" << (serial_ ? "up" : wants_serial ? "down" : "none");
-    if (serial_)
-        reply << " hang_ups=" << serial_->session().hang_ups();
+    const bool up = serial_ && !link_away_;
+    reply << " serial=" << (up ? "up" : wants_serial ? "down" : "none");
+    if (up)
+        reply << " hang_ups=" << hang_ups_before_ + serial_->session().hang_ups();
 }
 
 void Hosts::write_client_status(protocol::ReplyWriter& reply) const

@@ -10,6 +10,7 @@
 #include "daemon/endpoint.hpp"
 #include "daemon/event_loop.hpp"
 #include "daemon/turns.hpp"
+#include "drivers/pseudo_terminal.hpp"
 #include "drivers/unix_socket.hpp"
 
 #include <cstdint>
@@ -42,24 +43,53 @@ class Hosts
 
   private:
     void accept_client();
+    void pause_accepting(const Error& problem);
+    [[nodiscard]] bool make_room();
+    void turn_away(drivers::BytePort& port);
+    void count_turned_away();
+    void forget(const Endpoint& client);
     void log_once(std::string& last, const Error& error, const char* what);
+    [[nodiscard]] Source watch_place(const std::string& path);
+    void look_at_places();
+    void mend_link();
+    void watch_terminal();
+    void drop_serial();
 
     const Config& config_;
     EventLoop& loop_;
     Turns& turns_;
     Controller& controller_;
+    Source look_; ///< the socket or the link may have been removed or replaced
 
     std::optional<Endpoint> serial_;
-    std::uint64_t dropped_before_ = 0; ///< by connections that are gone
+    drivers::PseudoTerminal* terminal_ = nullptr; ///< the port of serial_, where it is one
+    std::uint64_t dropped_before_ = 0;            ///< by connections that are gone
+    std::uint64_t hang_ups_before_ = 0;           ///< of terminals that are gone
     std::string serial_problem_;
     BackOff serial_back_off_;
     Source retry_serial_;
+
+    bool link_away_ = false;
+    std::string link_problem_;
+    BackOff link_back_off_;
+    Source retry_link_;
+    Source watch_link_;
+    Source visits_; ///< hosts that come to terminal_ and leave
 
     std::optional<drivers::SocketListener> listener_;
     std::string control_problem_;
     BackOff control_back_off_;
     Source retry_control_;
+    Source watch_control_;
+
+    bool accept_pauses_ = false;
+    std::string accept_problem_;
+    BackOff accept_back_off_;
+    Source retry_accept_;
     Source accept_;
+    std::uint64_t turned_away_ = 0; ///< since that was logged last
+    bool full_was_logged_ = false;
+    Source log_turned_away_;
     std::list<Endpoint> clients_;
 };
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "base/standard_descriptors.hpp"
 #include "daemon/app.hpp"
 #include "daemon/options.hpp"
 
+#include <sysexits.h>
+
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 
 using namespace raymarch; // NOLINT(google-build-using-namespace): a main of a few lines
 
@@ -16,9 +20,7 @@ int report(const Error& error)
     return exit_status(error.kind);
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int serve(int argc, char** argv)
 {
     const auto command_line = daemon::parse_command_line(argc, argv);
     if (const int* status = std::get_if<int>(&command_line))
@@ -48,4 +50,18 @@ int main(int argc, char** argv)
     if (!app.drawing_has_ended())
         std::_Exit(status);
     return status;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    if (!fill_standard_descriptors())
+        return EX_OSERR;
+    try {
+        return serve(argc, argv);
+    } catch (const std::exception& error) { // no memory, or no thread, is left
+        log::error("{}", error.what());
+        return EX_OSERR;
+    }
 }

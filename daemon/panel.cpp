@@ -132,6 +132,8 @@ void Panel::watch(Line& line, bool level)
     if (line.pin->edge_fd() >= 0)
         line.edges = loop_.add_io(line.pin->edge_fd(), EPOLLIN,
                                   [this, &line](std::uint32_t) { take_edges(line); });
+    if (const auto problem = loop_.take_problem())
+        return lose(line, *problem);
     if (line.action.kind == ActionKind::Switch)
         act(line, level);
 }

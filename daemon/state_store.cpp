@@ -54,6 +54,20 @@ void StateStore::finish()
     worker_.join();
 }
 
+Result<void> StateStore::lock()
+{
+    if (path_.empty())
+        return {};
+    auto lock = drivers::LockFile::beside(path_);
+    if (lock)
+        lock_ = std::move(*lock);
+    else if (drivers::held_by_another(lock.error()))
+        return fail(lock.error());
+    else
+        log::info("the state file has no lock: {}", lock.error().message);
+    return {};
+}
+
 void StateStore::read()
 {
     if (path_.empty())

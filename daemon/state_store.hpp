@@ -9,6 +9,7 @@
 #include "base/result.hpp"
 #include "daemon/controller.hpp"
 #include "daemon/state_file.hpp"
+#include "drivers/lock_file.hpp"
 
 #include <chrono>
 #include <condition_variable>
@@ -34,6 +35,10 @@ class StateStore final : public Storage
     ~StateStore() override { finish(); }
     /// Writes what waits to be written, waits for that, and does nothing more.
     void finish();
+
+    /// Makes this process the one that writes the file. Errors: Unavailable, when another one is;
+    /// that the place has no locks is none.
+    [[nodiscard]] Result<void> lock();
 
     /// Reads the file, at the start. A file that cannot be read, or not understood, is told of, and
     /// kept under another name as soon as there is something to write.
@@ -66,6 +71,7 @@ class StateStore final : public Storage
     [[nodiscard]] Result<void> make_way(const std::string& text);
 
     const std::string path_;
+    std::optional<drivers::LockFile> lock_;
     const std::function<void()> on_stored_;
 
     bool failing_ = false; ///< the worker's; logged once

@@ -3,6 +3,7 @@
 
 #include <signal.h>
 #include <sys/mman.h>
+#include <time.h>
 
 #include <array>
 #include <atomic>
@@ -24,6 +25,29 @@ static_assert(std::atomic<std::uintptr_t>::is_always_lock_free, "the handler may
 std::array<Watched, max_watched_mappings> watched; // NOLINT: a signal handler has no other state
 struct sigaction previous = {};
 
+/// How many signals without a place are let pass in a second. A person or a script sends a few; a
+/// fault that is run into again each time the handler returns comes a million times.
+constexpr unsigned most_strays = 1000;
+std::atomic<unsigned> stray_second = 0; // NOLINT: a signal handler has no other state
+std::atomic<unsigned> strays = 0;       // NOLINT: the same
+static_assert(std::atomic<unsigned>::is_always_lock_free, "the handler may not lock");
+
+/// kill(2) says SI_USER or another code that is not above 0. ARM says the same of external aborts:
+/// of one that is late (a store that the bus refused when the processor was already further) the
+/// address means nothing, and the read-back of the registers finds what was lost; so both are let
+/// pass. But an abort that is not late happens again at once, for ever: that has to end.
+bool may_be_let_pass(const siginfo_t& info) noexcept
+{
+    if (info.si_code > 0)
+        return false; // the kernel means an access of ours, at an address
+    timespec now = {};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    const auto second = static_cast<unsigned>(now.tv_sec);
+    if (stray_second.exchange(second) != second)
+        strays = 0;
+    return ++strays <= most_strays;
+}
+
 /// Only calls that are safe in a handler: mmap is a bare system call.
 void on_bus_fault(int number, siginfo_t* info, void* context)
 {
@@ -42,6 +66,8 @@ void on_bus_fault(int number, siginfo_t* info, void* context)
         place.faulted = true;
         return;
     }
+    if (may_be_let_pass(*info))
+        return;
     // Not ours: whoever was here before (a sanitizer, or the default that ends the process).
     if ((previous.sa_flags & SA_SIGINFO) != 0 && previous.sa_sigaction != nullptr) {
         previous.sa_sigaction(number, info, context);

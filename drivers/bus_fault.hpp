@@ -4,7 +4,8 @@
 ///
 /// A mapped file that is truncated, or a device that is taken away, answers the next access with
 /// SIGBUS. Ending the service would be a crash on bad input; so the handler lays a page of zeros
-/// over the hole and the access goes on.
+/// over the hole and the access goes on. A SIGBUS that somebody sends (kill -BUS) changes nothing;
+/// a fault at any other place ends the process as ever.
 #pragma once
 
 #include <cstddef>

@@ -3,6 +3,7 @@
 
 #include "base/file_target.hpp"
 #include "drivers/bus_fault.hpp"
+#include "drivers/lock_file.hpp"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -27,6 +28,16 @@ bool unmask_interrupt(int fd) noexcept
 {
     const std::uint32_t on = 1;
     return ::write(fd, &on, sizeof on) == static_cast<ssize_t>(sizeof on);
+}
+
+/// Two services on one block would overwrite each other's words. Where the file system has no locks
+/// the window is used without one.
+Result<void> claim(int fd, const std::string& name)
+{
+    auto locked = lock_descriptor(fd, name);
+    if (!locked && !held_by_another(locked.error()))
+        return {};
+    return locked;
 }
 
 } // namespace
@@ -58,8 +69,8 @@ MappedWindow::map(UniqueFd fd, std::string name, std::size_t bytes, std::size_t 
         return fail(plain_error(ErrorKind::Unavailable, "map " + name + ": too many windows"));
     }
     const bool has_interrupt = is_uio && unmask_interrupt(fd.get());
-    return std::unique_ptr<MappedWindow>(
-        new MappedWindow(std::move(fd), std::move(name), {base, length, offset}, has_interrupt));
+    return std::unique_ptr<MappedWindow>(new MappedWindow(
+        std::move(fd), std::move(name), {base, length, offset, bytes}, has_interrupt));
 }
 
 Result<std::unique_ptr<MappedWindow>> MappedWindow::open_uio(const UioDevice& device,
@@ -76,6 +87,8 @@ Result<std::unique_ptr<MappedWindow>> MappedWindow::open_uio(const UioDevice& de
     UniqueFd fd(::open(device.node.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_SYNC));
     if (!fd)
         return fail(errno_error(ErrorKind::Unavailable, "open", device.node));
+    if (auto claimed = claim(fd.get(), device.node); !claimed)
+        return fail(claimed.error());
     return map(std::move(fd), device.node, bytes, device.offset, true);
 }
 
@@ -90,6 +103,10 @@ Result<std::unique_ptr<MappedWindow>> MappedWindow::open_file(const std::string&
         return fail(errno_error(ErrorKind::Unavailable, "open", path));
     if (::fstat(fd.get(), &info) != 0)
         return fail(errno_error(ErrorKind::InputOutput, "stat", path));
+    if (!S_ISREG(info.st_mode))
+        return fail(plain_error(ErrorKind::Unavailable, not_a_file(path, info.st_mode).message));
+    if (auto claimed = claim(fd.get(), path); !claimed) // before it is changed in any way
+        return fail(claimed.error());
     if (info.st_size < static_cast<off_t>(bytes) &&
         ::ftruncate(fd.get(), static_cast<off_t>(bytes)) != 0)
         return fail(errno_error(ErrorKind::InputOutput, "extend", path));
@@ -137,7 +154,24 @@ Result<std::uint32_t> MappedWindow::take_interrupt()
 
 bool MappedWindow::lost() const noexcept
 {
-    return mapping_faulted(mapping_.base);
+    return mapping_faulted(mapping_.base) || !still_there();
+}
+
+/// A mapping keeps a removed file alive, and shows zeros, not a fault, behind an end that was moved
+/// to the middle of a page. So name and size are looked at.
+bool MappedWindow::still_there() const noexcept
+{
+    struct stat opened = {};
+    struct stat named = {};
+    if (::fstat(fd_.get(), &opened) != 0)
+        return false;
+    if (::stat(name_.c_str(), &named) != 0)
+        return errno != ENOENT &&
+               errno != ENOTDIR; // a folder that may not be searched tells nothing
+    if (opened.st_dev != named.st_dev || opened.st_ino != named.st_ino)
+        return false;
+    return !S_ISREG(opened.st_mode) ||
+           opened.st_size >= static_cast<off_t>(mapping_.offset + mapping_.bytes);
 }
 
 } // namespace raymarch::drivers

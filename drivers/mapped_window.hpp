@@ -20,19 +20,22 @@ namespace raymarch::drivers
 ///
 /// Each access is one aligned 32-bit load or store in program order; nothing is cached or retried.
 /// When the memory behind it goes away (a truncated file, an unbound device) the access that finds
-/// out reads zeros and lost() turns true, in place of SIGBUS ending the process.
-/// Not thread-safe: the event loop is the only user. At most eight windows at a time.
+/// out reads zeros and lost() turns true, in place of SIGBUS ending the process. lost() is true
+/// also when the name leads to something else now (removed, replaced), or the file has become too
+/// short. The file or device is locked as long as the window is open. Not thread-safe: the event
+/// loop is the only user. At most eight windows at a time.
 class MappedWindow final : public RegisterBus
 {
   public:
     /// Maps the first region of a UIO device, and lets its first interrupt through where it has a
     /// line. Errors: Unavailable (a region smaller than `bytes`, found before the device is opened;
-    /// no device), InputOutput.
+    /// no device; another process has it, as held_by_another() tells), InputOutput.
     [[nodiscard]] static Result<std::unique_ptr<MappedWindow>> open_uio(const UioDevice& device,
                                                                         std::size_t bytes);
 
     /// Maps an ordinary file of at least `bytes`; made, and filled up with zeros, if need be.
-    /// Errors: Unavailable, InputOutput.
+    /// Errors: Unavailable (also when another process has it, as held_by_another() tells),
+    /// InputOutput.
     [[nodiscard]] static Result<std::unique_ptr<MappedWindow>> open_file(const std::string& path,
                                                                          std::size_t bytes);
 
@@ -51,10 +54,13 @@ class MappedWindow final : public RegisterBus
         void* base;         ///< page-aligned, as mmap gave it
         std::size_t length; ///< whole pages
         std::size_t offset; ///< of register 0 from the base
+        std::size_t bytes;  ///< of registers
     };
     MappedWindow(UniqueFd fd, std::string name, Mapping mapping, bool has_interrupt) noexcept;
     [[nodiscard]] static Result<std::unique_ptr<MappedWindow>>
     map(UniqueFd fd, std::string name, std::size_t bytes, std::size_t offset, bool is_uio);
+
+    [[nodiscard]] bool still_there() const noexcept;
 
     UniqueFd fd_;
     std::string name_;

@@ -5,13 +5,21 @@
 #include "drivers/serial_port.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <stdlib.h>
+#include <sys/inotify.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace raymarch::drivers
 {
@@ -21,13 +29,35 @@ namespace
 namespace fs = std::filesystem;
 
 /// The settings live with the other end, but are set from this one as well.
-bool set_raw(int fd) noexcept
+std::optional<termios> set_raw(int fd) noexcept
 {
     termios settings = {};
     if (::tcgetattr(fd, &settings) != 0)
-        return false;
+        return std::nullopt;
     make_raw(settings);
-    return ::tcsetattr(fd, TCSANOW, &settings) == 0;
+    if (::tcsetattr(fd, TCSANOW, &settings) != 0)
+        return std::nullopt;
+    return settings;
+}
+
+/// For the service's group, as the control socket. The node belongs to the user of the service, but
+/// its group and mode come from how /dev/pts is mounted, not from the umask.
+void open_to_group(const std::string& node) noexcept
+{
+    if (::chown(node.c_str(), static_cast<uid_t>(-1), ::getegid()) == 0)
+        static_cast<void>(::chmod(node.c_str(), S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP));
+}
+
+constexpr std::uint32_t closed = IN_CLOSE_WRITE | IN_CLOSE_NOWRITE;
+
+/// Tells of each host that opens or closes the node. Without it (no watch is left) only hosts that
+/// speak and leave the terminal to nobody are known.
+UniqueFd watch_visits(const std::string& node) noexcept
+{
+    UniqueFd visits(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
+    if (::inotify_add_watch(visits.get(), node.c_str(), IN_OPEN | closed) < 0)
+        visits.reset();
+    return visits;
 }
 
 Result<void> place_link(const std::string& target, const fs::path& link)
@@ -54,48 +84,141 @@ Result<void> place_link(const std::string& target, const fs::path& link)
 
 Result<std::unique_ptr<PseudoTerminal>> PseudoTerminal::open(const std::string& link)
 {
+    const std::string place = fs::absolute(link).string();
+    auto lock = LockFile::take(place + ".lock");
+    if (!lock && held_by_another(lock.error()))
+        return fail(Error{ErrorKind::Unavailable, lock.error().number,
+                          "link " + link + ": " + lock.error().message});
     UniqueFd fd(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
     std::array<char, 64> name{};
     if (!fd || ::grantpt(fd.get()) != 0 || ::unlockpt(fd.get()) != 0 ||
         ::ptsname_r(fd.get(), name.data(), name.size()) != 0)
         return fail(errno_error(ErrorKind::Unavailable, "make", "a pseudo-terminal"));
-    if (!set_raw(fd.get()))
+    const auto settings = set_raw(fd.get());
+    if (!settings)
         return fail(errno_error(ErrorKind::InputOutput, "set up", name.data()));
-    if (auto placed = place_link(name.data(), link); !placed)
+    open_to_group(name.data());
+    UniqueFd visits = watch_visits(name.data());
+    if (auto placed = place_link(name.data(), place); !placed)
         return fail(placed.error());
-    return std::unique_ptr<PseudoTerminal>(
-        new PseudoTerminal(std::move(fd), name.data(), fs::absolute(link).string()));
+    std::unique_ptr<PseudoTerminal> terminal(
+        new PseudoTerminal(std::move(fd), std::move(visits), *settings, name.data(), place));
+    if (lock)
+        terminal->lock_.emplace(std::move(*lock));
+    return terminal;
 }
+
+PseudoTerminal::PseudoTerminal(UniqueFd fd, UniqueFd visits, const termios& settings,
+                               std::string name, std::string link) noexcept
+    : fd_(std::move(fd))
+    , visits_(std::move(visits))
+    , settings_(settings)
+    , name_(std::move(name))
+    , link_(std::move(link))
+    , own_link_(identity_of_link(link_))
+{}
 
 PseudoTerminal::~PseudoTerminal()
 {
-    std::error_code error;
-    if (fs::read_symlink(link_, error) == name_ && !error)
-        fs::remove(link_, error);
+    if (link_in_place())
+        ::unlink(link_.c_str());
 }
 
-/// Replies that the old host did not read would greet the next one.
-void PseudoTerminal::drop_unread_replies() noexcept
+bool PseudoTerminal::link_in_place() const noexcept
 {
+    return own_link_ && identity_of_link(link_) == own_link_;
+}
+
+Result<void> PseudoTerminal::restore_link()
+{
+    if (link_in_place())
+        return {};
+    if (::symlink(name_.c_str(), link_.c_str()) != 0)
+        return fail(errno_error(ErrorKind::Unavailable, "link", link_));
+    own_link_ = identity_of_link(link_);
+    return {};
+}
+
+/// Whether the last host left and another has come since. inotify tells two events of one kind that
+/// nobody took in between as one, so of hosts that come together the count can be too low. Then the
+/// last of them that is counted leaves, and somebody has the terminal open all the same.
+bool PseudoTerminal::take_visits() noexcept
+{
+    bool empty = false;
+    bool followed = false;
+    std::array<char, 1024> chunk; // NOLINT(*-member-init): read before use
+    for (ssize_t size = 0;
+         visits_ && (size = ::read(visits_.get(), chunk.data(), chunk.size())) > 0;) {
+        inotify_event event = {};
+        for (std::size_t at = 0; at < static_cast<std::size_t>(size);
+             at += sizeof event + event.len) {
+            std::memcpy(&event, chunk.data() + at, sizeof event); // whose place is not aligned
+            if ((event.mask & IN_OPEN) != 0) {
+                ++hosts_;
+                visited_ = true;
+                followed = followed || std::exchange(empty, false);
+            } else if ((event.mask & closed) != 0 && hosts_ > 0) {
+                empty = --hosts_ == 0;
+            }
+        }
+    }
+    if (empty && !nobody_has_it_open())
+        hosts_ = 1;
+    return followed;
+}
+
+void PseudoTerminal::look() noexcept
+{
+    if (!take_visits())
+        return;
+    static_cast<void>(start_afresh());
+    hung_up_ = hung_up_ || std::exchange(host_spoke_, false);
+}
+
+bool PseudoTerminal::nobody_has_it_open() const noexcept
+{
+    pollfd end = {.fd = fd_.get(), .events = 0, .revents = 0};
+    return ::poll(&end, 1, 0) > 0 && (end.revents & POLLHUP) != 0;
+}
+
+/// What a host leaves in the terminal would be the next one's: settings, output that it stopped,
+/// replies that it did not read, the right to be alone. False when that right keeps the service
+/// out, too, and so everybody for good.
+bool PseudoTerminal::start_afresh() noexcept
+{
+    const bool alone = nobody_has_it_open();
+    ::tcsetattr(fd_.get(), TCSANOW, &settings_);
     const UniqueFd other_end(::open(name_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
-    if (other_end)
-        ::tcflush(other_end.get(), TCIFLUSH);
+    if (!other_end)
+        return errno != EBUSY || !nobody_has_it_open();
+    const int ordinary = N_TTY;
+    ::ioctl(other_end.get(), TIOCSETD, &ordinary);
+    if (alone) // else it is the next host's own
+        ::ioctl(other_end.get(), TIOCNXCL);
+    ::tcflow(other_end.get(), TCOON);
+    ::tcflush(other_end.get(), TCIFLUSH);
+    return true;
 }
 
 ReadOutcome PseudoTerminal::read(std::span<char> into) noexcept
 {
+    look();
+    if (std::exchange(hung_up_, false))
+        return {ReadStatus::HungUp, 0}; // before the next host's first bytes
     const ReadOutcome outcome = read_some(fd_.get(), into, ReadStatus::HungUp);
     if (outcome.status == ReadStatus::Data)
-        host_present_ = true;
+        host_spoke_ = true;
     if (outcome.status != ReadStatus::HungUp)
         return outcome;
-    static_cast<void>(set_raw(fd_.get())); // a host may have set it up otherwise, and said nothing
     // Opening and closing the other end makes a hang-up of its own; that one is not news.
-    if (!host_present_)
+    if (!visited_ && !host_spoke_)
         return {ReadStatus::Empty, 0};
-    host_present_ = false;
-    drop_unread_replies();
-    return outcome;
+    if (!start_afresh())
+        return {ReadStatus::Gone, 0};
+    static_cast<void>(take_visits()); // by ourselves
+    visited_ = false;
+    hosts_ = 0;
+    return {std::exchange(host_spoke_, false) ? ReadStatus::HungUp : ReadStatus::Empty, 0};
 }
 
 std::size_t PseudoTerminal::write(std::string_view bytes) noexcept

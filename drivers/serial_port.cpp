@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "drivers/serial_port.hpp"
 
+#include "drivers/lock_file.hpp"
+
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <array>
@@ -46,6 +49,19 @@ bool took(int fd, const termios& wanted) noexcept
            now.c_lflag == wanted.c_lflag && ::cfgetospeed(&now) == ::cfgetospeed(&wanted);
 }
 
+/// Whether it is the hosts' end of a pseudo-terminal: by its number, as Linux deals them out.
+bool is_pseudo_terminal(int fd) noexcept
+{
+    constexpr unsigned first_major =
+        136; // Documentation/admin-guide/devices.txt: UNIX98 PTY slaves
+    constexpr unsigned last_major = 143;
+    struct stat info = {};
+    if (::fstat(fd, &info) != 0 || !S_ISCHR(info.st_mode))
+        return false;
+    const unsigned number = major(info.st_rdev);
+    return number >= first_major && number <= last_major;
+}
+
 } // namespace
 
 bool is_baud_rate(unsigned baud) noexcept
@@ -63,7 +79,10 @@ std::string baud_rates()
 
 void make_raw(termios& settings) noexcept
 {
-    ::cfmakeraw(&settings);
+    ::cfmakeraw(&settings); // which keeps XOFF for the other side, and more
+    settings.c_iflag = 0;
+    settings.c_oflag = 0;
+    settings.c_lflag = 0;
     settings.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | PARENB | CRTSCTS | HUPCL);
     settings.c_cflag |= CS8 | CREAD | CLOCAL;
     settings.c_cc[VMIN] = 1;
@@ -105,13 +124,15 @@ Result<std::unique_ptr<SerialPort>> SerialPort::open(const std::string& path, un
     UniqueFd fd(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
     if (!fd)
         return fail(errno_error(ErrorKind::Unavailable, "open", path));
-    // TIOCEXCL keeps later openers out (but for root); the lock keeps out other users of locks.
-    if (::flock(fd.get(), LOCK_EX | LOCK_NB) != 0)
-        return fail(errno_error(ErrorKind::Unavailable, "lock", path));
+    // TIOCEXCL keeps later openers out (but for root); the lock keeps out other users of locks. The
+    // lock ends with the process. TIOCEXCL stays with the terminal as long as anybody has it open,
+    // so not for a pseudo-terminal, whose other end outlives its hosts.
+    if (auto locked = lock_descriptor(fd.get(), path); !locked && held_by_another(locked.error()))
+        return fail(locked.error());
     termios before = {};
     if (::tcgetattr(fd.get(), &before) != 0)
         return fail(errno_error(ErrorKind::Unavailable, "read the terminal settings of", path));
-    if (::ioctl(fd.get(), TIOCEXCL) != 0)
+    if (!is_pseudo_terminal(fd.get()) && ::ioctl(fd.get(), TIOCEXCL) != 0)
         return fail(errno_error(ErrorKind::Unavailable, "take exclusively", path));
 
     std::unique_ptr<SerialPort> port(new SerialPort(std::move(fd), before));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A serial port: raw, 8N1, exclusive; the old settings come back when it is closed.
+/// A serial port: raw, 8N1, exclusive; the old settings come back when it is closed. Of a
+/// pseudo-terminal only the lock is exclusive: it is all that a killed program does not leave
+/// behind.
 #pragma once
 
 #include "base/result.hpp"

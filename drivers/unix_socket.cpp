@@ -71,37 +71,63 @@ std::size_t SocketPort::write(std::string_view bytes) noexcept
     }
 }
 
+namespace
+{
+
+/// Whether a socket can be made at `path`: nothing is there, or one that nobody listens to.
+Result<void> make_room(const std::string& path)
+{
+    struct stat info = {};
+    if (::lstat(path.c_str(), &info) != 0)
+        return {};
+    if (!S_ISSOCK(info.st_mode))
+        return fail(plain_error(ErrorKind::Unavailable, path + " is there and is no socket"));
+    const auto probe = SocketPort::connect(path);
+    if (probe || probe.error().number != ECONNREFUSED)
+        return fail(plain_error(ErrorKind::Unavailable, path + ": another process listens there"));
+    ::unlink(path.c_str()); // left behind by a process that was killed
+    return {};
+}
+
+} // namespace
+
 Result<SocketListener> SocketListener::open(const std::string& path)
 {
     auto address = address_of(path);
     if (!address)
         return fail(address.error());
-    const auto probe = SocketPort::connect(path);
-    const bool refused = !probe && probe.error().number == ECONNREFUSED;
-    struct stat info = {};
-    const bool there = ::lstat(path.c_str(), &info) == 0;
-    if (there && !(refused && S_ISSOCK(info.st_mode))) // it answers, or is none of ours to judge
-        return fail(plain_error(ErrorKind::Unavailable,
-                                path + ": another process listens there, or it is no socket"));
-    if (there)
-        ::unlink(path.c_str()); // left behind by a process that was killed
+    // To look, to remove and to bind are three steps; the lock keeps a second service out of them.
+    auto lock = LockFile::take(path + ".lock");
+    if (!lock && held_by_another(lock.error()))
+        return fail(Error{ErrorKind::Unavailable, lock.error().number,
+                          path + ": another process listens there: " + lock.error().message});
+    if (auto room = make_room(path); !room)
+        return fail(room.error());
 
     auto fd = make_socket();
     if (!fd)
         return fail(fd.error());
     if (::bind(fd->get(), generic(*address), sizeof *address) != 0)
         return fail(errno_error(ErrorKind::Unavailable, "bind", path));
+    const auto own = identity_of_link(path);
+    SocketListener listener(std::move(*fd), path, own.value_or(FileIdentity{}),
+                            lock ? std::optional(std::move(*lock)) : std::nullopt);
     constexpr int waiting = 16;
     if (::chmod(path.c_str(), S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP) != 0 ||
-        ::listen(fd->get(), waiting) != 0)
+        ::listen(listener.fd(), waiting) != 0)
         return fail(errno_error(ErrorKind::InputOutput, "listen at", path));
-    return SocketListener(std::move(*fd), path);
+    return listener;
 }
 
 SocketListener::~SocketListener()
 {
-    if (fd_)
+    if (fd_ && in_place())
         ::unlink(path_.c_str());
+}
+
+bool SocketListener::in_place() const noexcept
+{
+    return identity_of_link(path_) == own_;
 }
 
 Result<std::unique_ptr<SocketPort>> SocketListener::accept()

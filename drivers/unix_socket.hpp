@@ -5,6 +5,8 @@
 
 #include "base/result.hpp"
 #include "base/unique_fd.hpp"
+#include "drivers/file_identity.hpp"
+#include "drivers/lock_file.hpp"
 #include "drivers/ports.hpp"
 
 #include <sys/un.h>
@@ -35,7 +37,8 @@ class SocketPort final : public BytePort
     UniqueFd fd_;
 };
 
-/// A listening socket in the file system, mode 0660.
+/// A listening socket in the file system, mode 0660. PATH.lock beside it says that somebody
+/// listens.
 class SocketListener
 {
   public:
@@ -46,20 +49,29 @@ class SocketListener
     SocketListener& operator=(SocketListener&&) = delete; // opened once, closed once
     SocketListener(const SocketListener&) = delete;
     SocketListener& operator=(const SocketListener&) = delete;
+    /// Removes the socket if it is still its own.
     ~SocketListener();
 
     [[nodiscard]] int fd() const noexcept { return fd_.get(); }
     /// The next waiting client; nullptr when there is none. Errors: Unavailable, when one waits
     /// that cannot be taken (no descriptor is left).
     [[nodiscard]] Result<std::unique_ptr<SocketPort>> accept();
+    /// False when the socket was removed, or something else has its name now: then no client finds
+    /// it any more.
+    [[nodiscard]] bool in_place() const noexcept;
 
   private:
-    SocketListener(UniqueFd fd, std::string path) noexcept
-        : fd_(std::move(fd))
+    SocketListener(UniqueFd fd, std::string path, FileIdentity own,
+                   std::optional<LockFile> lock) noexcept
+        : lock_(std::move(lock))
+        , fd_(std::move(fd))
         , path_(std::move(path))
+        , own_(own)
     {}
+    std::optional<LockFile> lock_; ///< first: the socket goes before its lock
     UniqueFd fd_;
     std::string path_;
+    FileIdentity own_; ///< of the name in the file system, not of the descriptor
 };
 
 } // namespace raymarch::drivers

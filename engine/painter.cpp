@@ -2,6 +2,7 @@
 #include "engine/painter.hpp"
 
 #include <algorithm>
+#include <system_error>
 
 namespace raymarch::engine
 {
@@ -56,8 +57,11 @@ Painter::Painter(unsigned threads)
 {
     if (threads == 0)
         threads = std::max(1U, std::thread::hardware_concurrency());
-    for (unsigned i = 1; i < threads; ++i)
-        helpers_.emplace_back([this] { help(); });
+    try {
+        for (unsigned i = 1; i < threads; ++i)
+            helpers_.emplace_back([this] { help(); });
+    } catch (const std::system_error&) { // no more are to be had; those that are here will do
+    }
 }
 
 Painter::~Painter()

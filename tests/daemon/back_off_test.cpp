@@ -17,5 +17,27 @@ TEST(BackOff, DoublesUpToHalfAMinute)
     EXPECT_EQ(back_off.next().count(), 250);
 }
 
+/// Found and lost in turns: only what lasted for half a minute takes the wait back to its
+/// beginning.
+TEST(BackOff, OnlyWhatLastedBeginsAnew)
+{
+    using namespace std::chrono_literals;
+    struct Row
+    {
+        BackOff::Clock::duration lasted;
+        int next;
+    };
+    const auto day = 24h;
+    for (const Row row : {Row{0s, 1000}, Row{29'999ms, 1000}, Row{30s, 250}, Row{day, 250}}) {
+        BackOff back_off;
+        EXPECT_EQ(back_off.next().count(), 250);
+        EXPECT_EQ(back_off.next().count(), 500);
+        const BackOff::Clock::time_point found{5min};
+        back_off.opened(found);
+        back_off.lost(found + row.lasted);
+        EXPECT_EQ(back_off.next().count(), row.next);
+    }
+}
+
 } // namespace
 } // namespace raymarch::daemon

@@ -128,7 +128,7 @@ TEST_F(UioHardware, LogicThatIsNotConfiguredIsNeverTouched)
 {
     test::add_uio(root);
     test::add_fpga_manager(root, "unknown");
-    hardware.start();
+    ASSERT_TRUE(hardware.start());
     EXPECT_EQ(status("hardware"), "absent");
     EXPECT_EQ(hardware.apply(protocol::Words(8)), Applied::Absent);
     // Each retry asks the kernel anew; the wait between them begins at a quarter of a second.
@@ -156,7 +156,7 @@ TEST_F(UioHardware, AMapThatIsTooSmallIsNotTouched)
 {
     test::add_uio(root, "uio0", "0x00000800\n");
     test::add_fpga_manager(root, "operating");
-    hardware.start();
+    ASSERT_TRUE(hardware.start());
     EXPECT_EQ(status("hardware"), "absent");
     EXPECT_EQ(bus.take_accesses(), std::vector<std::string>{});
     test::add_uio(root);
@@ -169,7 +169,7 @@ TEST_F(UioHardware, AWrongSelfTestEnablesNothing)
     test::add_uio(root);
     test::add_fpga_manager(root, "operating");
     bus.stuck_at_zero[0x48] = 1;
-    hardware.start();
+    ASSERT_TRUE(hardware.start());
     EXPECT_EQ(status("hardware"), "absent");
     for (const std::string& access : bus.take_accesses())
         EXPECT_TRUE(access == "R 20" || access == "R 48" || access.starts_with("W 48")) << access;
@@ -180,7 +180,7 @@ TEST_F(UioHardware, ADeviceGivenByItsNodeIsCheckedToo)
     test::add_uio(root, "uio3");
     test::add_fpga_manager(root, "unknown");
     config.registers = UioNode{folder / "dev/uio3"};
-    hardware.start();
+    ASSERT_TRUE(hardware.start());
     EXPECT_EQ(status("hardware"), "absent");
     EXPECT_EQ(opened.size(), 0U);
     test::add_fpga_manager(root, "operating");
@@ -194,7 +194,7 @@ TEST_F(UioHardware, ADeviceThatIsFoundByItselfIsCheckedToo)
     test::add_uio(root);
     test::add_fpga_manager(root, "unknown");
     config.registers = AutoRegisters{};
-    hardware.start();
+    ASSERT_TRUE(hardware.start());
     EXPECT_EQ(status("hardware"), "absent");
     EXPECT_EQ(opened.size(), 0U);
 }
@@ -204,7 +204,7 @@ TEST_F(UioHardware, OnAZynqNothingIsEmulatedByItself)
 {
     test::make_zynq(root);
     config.registers = AutoRegisters{};
-    hardware.start();
+    ASSERT_TRUE(hardware.start());
     EXPECT_EQ(status("hardware"), "absent");
     EXPECT_EQ(hardware.apply(protocol::Words(8)), Applied::Absent);
     test::add_uio(root);
@@ -219,7 +219,7 @@ TEST_F(UioHardware, LogicWhoseClockIsStoppedIsNeverTouched)
     test::set_fclk_enable(root, 0);
     test::add_uio(root);
     test::add_fpga_manager(root, "operating");
-    hardware.start();
+    ASSERT_TRUE(hardware.start());
     EXPECT_EQ(status("hardware"), "absent");
     EXPECT_EQ(opened, std::vector<std::string>{}) << "the device is not even opened";
     test::set_fclk_enable(root, 1);
@@ -229,7 +229,7 @@ TEST_F(UioHardware, LogicWhoseClockIsStoppedIsNeverTouched)
 
 TEST_F(UioHardware, WithoutAManagerTheDeviceAloneCounts)
 {
-    hardware.start();
+    ASSERT_TRUE(hardware.start());
     EXPECT_EQ(status("hardware"), "absent");
     test::add_uio(root); // as when a boot loader has configured the logic
     play({until_ready(1)});
@@ -248,7 +248,7 @@ TEST_F(UioHardware, AnInterruptBringsWhatWaitsForTheFrame)
         ASSERT_EQ(::write(line.get(), &one, sizeof one), 8);
     };
     test::add_uio(root);
-    hardware.start();
+    ASSERT_TRUE(hardware.start());
     ASSERT_EQ(ready, 1);
     EXPECT_EQ(status("interrupts"), "0");
     protocol::Words words(8);
@@ -289,7 +289,7 @@ TEST_P(WithoutInterrupt, WhatWaitsForTheFrameGoesOutToo)
     const UniqueFd dead(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC));
     bus.interrupt = GetParam() ? dead.get() : -1;
     test::add_uio(root);
-    hardware.start();
+    ASSERT_TRUE(hardware.start());
     protocol::Words words(8);
     ASSERT_EQ(hardware.apply(words), Applied::Written);
     bus.memory[0x38] = protocol::status::commit_pending;
@@ -308,7 +308,7 @@ TEST_F(UioHardware, ALineThatBreaksIsADeviceThatIsGone)
     bus.interrupt = line.get();
     bus.interrupt_breaks = true;
     test::add_uio(root);
-    hardware.start();
+    ASSERT_TRUE(hardware.start());
     ASSERT_EQ(ready, 1);
     play({[&] { return status("hardware") == "absent"; },
           act([&] { bus.interrupt_breaks = false; }), until_ready(2)});

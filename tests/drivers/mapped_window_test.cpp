@@ -2,15 +2,23 @@
 #include "drivers/mapped_window.hpp"
 
 #include "drivers/bus_fault.hpp"
+#include "drivers/lock_file.hpp"
 #include "drivers/uio_device.hpp"
 #include "tests/fakes/fake_kernel.hpp"
 #include "tests/fakes/file_size_limit.hpp"
+#include "tests/fakes/other_process.hpp"
 #include "tests/fakes/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <string>
@@ -55,11 +63,12 @@ TEST(RegisterFile, WhatOthersWriteIsRead)
 {
     const test::TemporaryFolder folder;
     const std::string path = folder / "registers";
-    const auto first = MappedWindow::open_file(path, page);
-    const auto second = MappedWindow::open_file(path, page);
-    ASSERT_TRUE(first && second);
-    (*first)->write({0x20}, 7);
-    EXPECT_EQ((*second)->read({0x20}), 7U);
+    const auto window = MappedWindow::open_file(path, page);
+    ASSERT_TRUE(window);
+    const UniqueFd other(::open(path.c_str(), O_RDWR | O_CLOEXEC));
+    const std::uint32_t word = 7;
+    ASSERT_EQ(::pwrite(other.get(), &word, sizeof word, 0x20), 4);
+    EXPECT_EQ((*window)->read({0x20}), 7U);
 }
 
 TEST(RegisterFile, ASmallFileGrowsAndKeepsWhatItHas)
@@ -91,7 +100,6 @@ TEST(RegisterFile, AFileThatIsCutWhileMappedIsLost)
     ASSERT_TRUE(window);
     (*window)->write({8}, 5);
     std::filesystem::resize_file(path, 0);
-    EXPECT_FALSE((*window)->lost()); // nobody has looked yet
     EXPECT_EQ((*window)->read({8}), 0U);
     EXPECT_TRUE((*window)->lost());
     (*window)->write({8}, 6); // goes nowhere, and does not end the process
@@ -136,6 +144,101 @@ TEST(RegisterFile, OpenedAgainItIsNew)
     EXPECT_FALSE((*again)->lost());
 }
 
+/// A size in the middle of a page raises no fault at all.
+TEST(RegisterFile, AFileThatIsShortenedIsLost)
+{
+    for (const std::size_t size : {page - 1, page / 2, std::size_t{1}}) {
+        const test::TemporaryFolder folder;
+        const std::string path = folder / "registers";
+        const auto window = MappedWindow::open_file(path, page);
+        ASSERT_TRUE(window);
+        std::filesystem::resize_file(path, 2 * page);
+        EXPECT_FALSE((*window)->lost()) << "a longer one is as good";
+        std::filesystem::resize_file(path, size);
+        EXPECT_TRUE((*window)->lost()) << size;
+    }
+}
+
+TEST(RegisterFile, AFileThatIsReplacedMovedOrRemovedIsLost)
+{
+    const std::vector<void (*)(const std::string&)> ways = {
+        [](const std::string& path) { std::filesystem::remove(path); },
+        [](const std::string& path) { std::filesystem::rename(path, path + ".away"); },
+        [](const std::string& path) {
+            test::write_text(path + ".new", std::string(page, 'x'));
+            std::filesystem::rename(path + ".new", path);
+        },
+        [](const std::string& path) {
+            std::filesystem::create_hard_link(path, path + ".kept");
+            std::filesystem::remove(path);
+        },
+        [](const std::string& path) {
+            std::filesystem::remove_all(std::filesystem::path(path).parent_path());
+        },
+    };
+    for (std::size_t way = 0; way < ways.size(); ++way) {
+        const test::TemporaryFolder folder;
+        std::filesystem::create_directory(folder / "run");
+        const std::string path = folder / "run/registers";
+        const auto window = MappedWindow::open_file(path, page);
+        ASSERT_TRUE(window);
+        EXPECT_FALSE((*window)->lost());
+        ways[way](path);
+        EXPECT_TRUE((*window)->lost()) << "way " << way;
+    }
+}
+
+TEST(RegisterFile, HasOneOwnerWhoIsNamed)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder / "registers";
+    test::write_text(path, "short");
+    test::OtherProcess other([&] { return MappedWindow::open_file(path, page); });
+    ASSERT_TRUE(other.has_it());
+    std::filesystem::resize_file(path, 5);
+    const auto second = MappedWindow::open_file(path, page);
+    ASSERT_FALSE(second);
+    EXPECT_TRUE(held_by_another(second.error()));
+    EXPECT_NE(second.error().message.find("process " + std::to_string(other.pid())),
+              std::string::npos)
+        << second.error().message;
+    EXPECT_EQ(std::filesystem::file_size(path), 5U) << "the second has not touched it";
+    other.kill();
+    EXPECT_TRUE(MappedWindow::open_file(path, page));
+}
+
+/// A signal that somebody sends is no fault of memory: it ends nothing, and the watch goes on.
+TEST(RegisterFile, AStraySignalDoesNotEndTheWatch)
+{
+    const test::TemporaryFolder folder;
+    const auto window = MappedWindow::open_file(folder / "registers", page);
+    ASSERT_TRUE(window);
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_EQ(::kill(::getpid(), SIGBUS), 0);
+        ASSERT_EQ(::raise(SIGBUS), 0);
+    }
+    EXPECT_FALSE((*window)->lost());
+    std::filesystem::resize_file(folder / "registers", 0);
+    EXPECT_EQ((*window)->read({8}), 0U);
+    EXPECT_TRUE((*window)->lost());
+}
+
+/// A fault at a place that nobody watches still ends the process, also after a stray signal.
+TEST(BusFaultDeathTest, AFaultElsewhereEndsTheProcess)
+{
+    const test::TemporaryFolder folder;
+    const auto fault = [&] {
+        const auto window = MappedWindow::open_file(folder / "registers", page);
+        ::raise(SIGBUS);
+        const UniqueFd fd(::open((folder / "empty").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+        void* const base = ::mmap(nullptr, page, PROT_READ, MAP_SHARED, fd.get(), 0);
+        std::_Exit(*static_cast<const volatile char*>(base));
+    };
+    // A sanitizer that had the signal before ends the process in its own way.
+    EXPECT_EXIT(
+        fault(), [](int status) { return WIFSIGNALED(status) || WEXITSTATUS(status) != 0; }, "");
+}
+
 TEST(RegisterFile, OtherThingsThanFilesAreRefused)
 {
     const test::TemporaryFolder folder;
@@ -153,13 +256,13 @@ TEST(RegisterFile, ThereAreAsManyWindowsAsCanBeWatched)
     const test::TemporaryFolder folder;
     std::vector<std::unique_ptr<MappedWindow>> windows;
     for (std::size_t i = 0; i < max_watched_mappings; ++i) {
-        auto window = MappedWindow::open_file(folder / "registers", page);
+        auto window = MappedWindow::open_file(folder / std::to_string(i), page);
         ASSERT_TRUE(window) << i;
         windows.push_back(std::move(*window));
     }
-    EXPECT_FALSE(MappedWindow::open_file(folder / "registers", page));
+    EXPECT_FALSE(MappedWindow::open_file(folder / "one more", page));
     windows.pop_back();
-    EXPECT_TRUE(MappedWindow::open_file(folder / "registers", page));
+    EXPECT_TRUE(MappedWindow::open_file(folder / "one more", page));
 }
 
 /// A sysfs tree, and an ordinary file that plays the device.
@@ -278,6 +381,32 @@ TEST_F(Uio, RefusalsNameTheDevice)
     add("uio4", "raymarch", "0x1000\n");
     std::filesystem::remove(node("uio4"));
     expect_unavailable("uio4", "open");
+}
+
+TEST_F(Uio, HasOneOwnerWhoIsNamed)
+{
+    add("uio0", "raymarch", "0x1000\n");
+    std::filesystem::create_symlink("uio0", folder / "dev/raymarch"); // as udev's rule makes it
+    const test::OtherProcess other([&] { return open("uio0"); });
+    ASSERT_TRUE(other.has_it());
+    for (const char* const device : {"uio0", "raymarch"}) {
+        const auto second = open(device);
+        ASSERT_FALSE(second);
+        EXPECT_TRUE(held_by_another(second.error()));
+        EXPECT_NE(second.error().message.find("process " + std::to_string(other.pid())),
+                  std::string::npos)
+            << second.error().message;
+    }
+}
+
+TEST_F(Uio, ADeviceWhoseNodeIsGoneIsLost)
+{
+    add("uio0", "raymarch", "0x1000\n");
+    const auto window = open("uio0");
+    ASSERT_TRUE(window);
+    EXPECT_FALSE((*window)->lost());
+    std::filesystem::remove(node("uio0"));
+    EXPECT_TRUE((*window)->lost());
 }
 
 /// The file's bytes play the interrupts: each read takes the next four, each write goes there too.

@@ -2,20 +2,28 @@
 #include "drivers/pseudo_terminal.hpp"
 
 #include "base/unique_fd.hpp"
+#include "drivers/lock_file.hpp"
+#include "tests/fakes/other_process.hpp"
 #include "tests/fakes/temporary_folder.hpp"
 #include "tests/fakes/waiting.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
+#include <sys/epoll.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
 
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace raymarch::drivers
 {
@@ -194,13 +202,222 @@ TEST_F(Pty, TheLinkGoesWithIt)
     EXPECT_FALSE(fs::exists(fs::symlink_status(link)));
 }
 
-TEST_F(Pty, ALinkThatIsThereIsReplacedAndThenNotRemovedByTheOldOne)
+TEST_F(Pty, ASecondServiceIsKeptOffAndHearsWhy)
 {
-    auto second = PseudoTerminal::open(link);
-    ASSERT_TRUE(second);
-    EXPECT_EQ(fs::read_symlink(link), (*second)->name());
-    port.reset(); // the link is no longer its own
-    EXPECT_EQ(fs::read_symlink(link), (*second)->name());
+    const auto second = PseudoTerminal::open(link);
+    ASSERT_FALSE(second);
+    EXPECT_TRUE(held_by_another(second.error()));
+    EXPECT_NE(second.error().message.find(link), std::string::npos);
+    EXPECT_EQ(fs::read_symlink(link), port->name());
+}
+
+TEST_F(Pty, TheLinkOfAKilledServiceIsReplaced)
+{
+    const std::string other_link = folder / "other";
+    test::OtherProcess other([&] { return PseudoTerminal::open(other_link); });
+    ASSERT_TRUE(other.has_it());
+    const auto early = PseudoTerminal::open(other_link);
+    ASSERT_FALSE(early);
+    EXPECT_NE(early.error().message.find("process " + std::to_string(other.pid())),
+              std::string::npos)
+        << early.error().message;
+    other.kill();
+    const auto port_again = PseudoTerminal::open(other_link);
+    ASSERT_TRUE(port_again) << port_again.error().message;
+    EXPECT_EQ(fs::read_symlink(other_link), (*port_again)->name());
+}
+
+TEST_F(Pty, ALinkThatWasReplacedIsLeftAlone)
+{
+    fs::rename(link, folder / "away"); // the number of the old link stays taken
+    EXPECT_FALSE(port->link_in_place());
+    fs::create_symlink(port->name(), link); // the same words, and yet another's
+    EXPECT_FALSE(port->link_in_place());
+    EXPECT_FALSE(port->restore_link());
+    port.reset();
+    EXPECT_TRUE(fs::is_symlink(fs::symlink_status(link)));
+}
+
+TEST_F(Pty, ALinkThatWasRemovedCanBeMadeAgain)
+{
+    EXPECT_TRUE(port->restore_link()); // there is nothing to do
+    fs::remove(link);
+    EXPECT_FALSE(port->link_in_place());
+    const auto restored = port->restore_link();
+    ASSERT_TRUE(restored) << restored.error().message;
+    EXPECT_TRUE(port->link_in_place());
+    EXPECT_EQ(fs::read_symlink(link), port->name());
+    test::write_text(folder / "file", "precious");
+    fs::rename(folder / "file", link);
+    EXPECT_FALSE(port->restore_link());
+    EXPECT_EQ(test::read_text(link), "precious");
+}
+
+TEST_F(Pty, IsForItsOwnerAndGroup)
+{
+    struct stat info = {};
+    ASSERT_EQ(::stat(link.c_str(), &info), 0);
+    EXPECT_EQ(info.st_mode & 07777U, 0660U);
+    EXPECT_EQ(info.st_gid, ::getegid());
+}
+
+/// Whatever a host leaves in the terminal, the next one finds it as the first did. It need not have
+/// said anything.
+struct Leaving
+{
+    const char* name;
+    void (*leave)(int fd);
+};
+
+void change(int fd, void (*how)(termios&))
+{
+    termios settings = {};
+    EXPECT_EQ(::tcgetattr(fd, &settings), 0);
+    how(settings);
+    EXPECT_EQ(::tcsetattr(fd, TCSANOW, &settings), 0);
+}
+
+const std::vector<Leaving> leavings = {
+    {"nothing", [](int) {}},
+    {"exclusive", [](int fd) { EXPECT_EQ(::ioctl(fd, TIOCEXCL), 0); }},
+    {"stopped", [](int fd) { EXPECT_EQ(::tcflow(fd, TCOOFF), 0); }},
+    {"locked", [](int fd) { EXPECT_EQ(::flock(fd, LOCK_EX | LOCK_NB), 0); }},
+    {"cooked", [](int fd) { change(fd, [](termios& t) { t.c_lflag |= ICANON | ECHO | ISIG; }); }},
+    {"translated",
+     [](int fd) {
+         change(fd, [](termios& t) {
+             t.c_iflag |= IXON | IXOFF | ICRNL | IUCLC;
+             t.c_oflag |= OPOST | ONLCR | OLCUC;
+         });
+     }},
+    {"seven bits, slow",
+     [](int fd) {
+         change(fd, [](termios& t) {
+             t.c_cflag = (t.c_cflag & ~static_cast<tcflag_t>(CSIZE)) | CS7 | PARENB;
+             t.c_cc[VMIN] = 9;
+             ::cfsetspeed(&t, B300);
+         });
+     }},
+    {"all at once",
+     [](int fd) {
+         change(fd, [](termios& t) { t.c_lflag |= ICANON | ECHO; });
+         EXPECT_EQ(::tcflow(fd, TCOOFF), 0);
+         EXPECT_EQ(::ioctl(fd, TIOCEXCL), 0);
+     }},
+};
+
+class LeftBehind : public Pty, public testing::WithParamInterface<bool>
+{};
+
+TEST_P(LeftBehind, IsNotTheNextHosts)
+{
+    const bool speaks = GetParam();
+    const termios first = Host(link).settings();
+    for (const Leaving& leaving : leavings) {
+        SCOPED_TRACE(leaving.name);
+        {
+            const Host host(link);
+            if (speaks)
+                host.say("PING\n");
+            leaving.leave(host.fd());
+        }
+        ReadStatus status = read_status();
+        while (status == ReadStatus::Data || status == ReadStatus::HungUp)
+            status = read_status();
+        if (status == ReadStatus::Gone) { // not root: a new terminal takes its place
+            port.reset();
+            SetUp();
+        }
+        const Host next(link);
+        ASSERT_GE(next.fd(), 0);
+        const termios now = next.settings();
+        EXPECT_EQ(now.c_iflag, first.c_iflag);
+        EXPECT_EQ(now.c_oflag, first.c_oflag);
+        EXPECT_EQ(now.c_cflag, first.c_cflag);
+        EXPECT_EQ(now.c_lflag, first.c_lflag);
+        EXPECT_EQ(now.c_cc[VMIN], first.c_cc[VMIN]);
+        EXPECT_EQ(::flock(next.fd(), LOCK_EX | LOCK_NB), 0);
+        const Host beside(link); // not exclusive: a second may open it
+        next.say("x");
+        EXPECT_EQ(read_text(), "x");
+        EXPECT_EQ(port->write("OK\r\n"), 4U);
+        EXPECT_TRUE(test::readable(next.fd()));
+        EXPECT_EQ(next.hear(), "OK\r\n");
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Hosts, LeftBehind, testing::Values(true, false), [](const auto& row) {
+    return row.param ? "ThatSpoke" : "ThatWereSilent";
+});
+
+/// The service was busy, or asleep, while one host left and the next came: it never saw the
+/// terminal alone. The half line that it has read is the first one's.
+TEST_F(Pty, AHostThatIsFollowedAtOnceIsSeenToLeave)
+{
+    for (const Leaving& leaving : leavings) {
+        if (std::string_view(leaving.name).find("exclusive") != std::string_view::npos ||
+            leaving.name == std::string_view("all at once"))
+            continue; // that one keeps the next out, unless it is root
+        SCOPED_TRACE(leaving.name);
+        while (read_status() != ReadStatus::Empty) { // until the one before is forgotten
+        }
+        std::optional<Host> first(std::in_place, link);
+        port->look();
+        first->say("PIN");
+        EXPECT_EQ(read_text(), "PIN");
+        EXPECT_EQ(read_status(), ReadStatus::Empty);
+        EXPECT_EQ(port->write("a reply\r\n"), 9U);
+        EXPECT_TRUE(test::readable(first->fd())); // before its settings change
+        leaving.leave(first->fd());
+        first.reset();
+        const Host next(link);
+        EXPECT_TRUE(test::readable(port->visits_fd()));
+        port->look();
+        EXPECT_EQ(next.hear(), "") << "the first one's reply";
+        expect_raw(next.settings());
+        next.say("PING\n");
+        EXPECT_EQ(read_status(), ReadStatus::HungUp);
+        EXPECT_EQ(read_text(), "PING\n");
+        EXPECT_EQ(port->write("OK\r\n"), 4U);
+        EXPECT_TRUE(test::readable(next.fd()));
+        EXPECT_EQ(next.hear(), "OK\r\n");
+    }
+}
+
+/// One program reads while others write, one after the other: the terminal is never left.
+TEST_F(Pty, WhoReadsBesideOthersThatComeAndGoLosesNothing)
+{
+    const Host reader(link);
+    port->look();
+    for (int i = 0; i < 3; ++i) {
+        Host(link).say("PING\n");
+        EXPECT_EQ(read_text(), "PING\n");
+        EXPECT_EQ(read_status(), ReadStatus::Empty);
+        EXPECT_EQ(port->write("OK\r\n"), 4U);
+        port->look();
+    }
+    EXPECT_EQ(read_status(), ReadStatus::Empty);
+    std::string heard;
+    while (heard.size() < 12 && test::readable(reader.fd()))
+        heard += reader.hear();
+    EXPECT_EQ(heard, "OK\r\nOK\r\nOK\r\n");
+}
+
+/// Our own look at the other end must not wake us again and again.
+TEST_F(Pty, ComesToRestAfterAHostHasLeft)
+{
+    Host(link).say("PING\n");
+    EXPECT_EQ(read_text(), "PING\n");
+    const UniqueFd waiting(::epoll_create1(EPOLL_CLOEXEC));
+    epoll_event event = {.events = EPOLLIN | EPOLLET, .data = {}};
+    ASSERT_EQ(::epoll_ctl(waiting.get(), EPOLL_CTL_ADD, port->fd(), &event), 0);
+    int hang_ups = 0;
+    for (int wakes = 0; ::epoll_wait(waiting.get(), &event, 1, 100) > 0; ++wakes) {
+        ASSERT_LT(wakes, 10);
+        for (ReadStatus status = read_status(); status != ReadStatus::Empty; status = read_status())
+            hang_ups += status == ReadStatus::HungUp ? 1 : 0;
+    }
+    EXPECT_EQ(hang_ups, 1);
 }
 
 TEST(PseudoTerminal, ADanglingLinkIsReplaced)

@@ -3,6 +3,7 @@
 /// The far end of a pseudo-terminal plays the serial line's device.
 #include "drivers/serial_port.hpp"
 
+#include "tests/fakes/other_process.hpp"
 #include "tests/fakes/temporary_folder.hpp"
 #include "tests/fakes/waiting.hpp"
 
@@ -10,6 +11,7 @@
 
 #include <fcntl.h>
 #include <stdlib.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <array>
@@ -97,6 +99,43 @@ TEST_F(Serial, ASecondOpenerIsRefused)
     EXPECT_NE(second.error().message.find(device), std::string::npos);
     const termios now = settings();
     EXPECT_EQ(::cfgetospeed(&now), static_cast<speed_t>(B9600)); // the first one's still
+}
+
+TEST_F(Serial, ASecondOpenerHearsWhoHasIt)
+{
+    const test::OtherProcess other([&] { return SerialPort::open(device, 9600); });
+    ASSERT_TRUE(other.has_it());
+    const auto second = SerialPort::open(device, 9600);
+    ASSERT_FALSE(second);
+    EXPECT_NE(second.error().message.find("process " + std::to_string(other.pid())),
+              std::string::npos)
+        << second.error().message;
+}
+
+/// TIOCEXCL would stay when the program is killed, and keep everybody but root out.
+TEST_F(Serial, AProgramThatIsKilledLeavesAPseudoTerminalOpenToOthers)
+{
+    test::OtherProcess other([&] { return SerialPort::open(device, 9600); });
+    ASSERT_TRUE(other.has_it());
+    const UniqueFd beside(::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+    ASSERT_TRUE(beside);
+    int exclusive = -1;
+    ASSERT_EQ(::ioctl(beside.get(), TIOCGEXCL, &exclusive), 0);
+    EXPECT_EQ(exclusive, 0);
+    other.kill();
+    EXPECT_TRUE(SerialPort::open(device, 9600));
+}
+
+TEST_F(Serial, NothingOfAnEarlierUsersFlowControlStays)
+{
+    termios left = settings();
+    left.c_iflag |= IXON | IXOFF | IXANY | INPCK;
+    left.c_lflag |= TOSTOP;
+    ASSERT_EQ(::tcsetattr(line.get(), TCSANOW, &left), 0);
+    const auto port = SerialPort::open(device, 9600);
+    ASSERT_TRUE(port) << port.error().message;
+    EXPECT_EQ(settings().c_iflag, 0U);
+    EXPECT_EQ(settings().c_lflag, 0U);
 }
 
 TEST_F(Serial, TheOldSettingsComeBack)

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "drivers/unix_socket.hpp"
 
+#include "tests/fakes/other_process.hpp"
 #include "tests/fakes/temporary_folder.hpp"
 #include "tests/fakes/waiting.hpp"
 
 #include <gtest/gtest.h>
 
+#include <sys/socket.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
+#include <latch>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
+#include <vector>
 
 namespace raymarch::drivers
 {
@@ -83,6 +89,7 @@ TEST_F(Socket, ASocketThatWasLeftBehindIsReplaced)
         fs::create_hard_link(path, folder / "kept"); // outlives the clean-up, as after a kill
     }
     fs::rename(folder / "kept", path);
+    EXPECT_FALSE(fs::exists(path + ".lock"));
     ASSERT_TRUE(fs::is_socket(path));
     EXPECT_FALSE(SocketPort::connect(path));
     EXPECT_TRUE(SocketListener::open(path));
@@ -97,6 +104,78 @@ TEST_F(Socket, ALiveOneIsRefused)
     EXPECT_EQ(second.error().kind, ErrorKind::Unavailable);
     EXPECT_NE(second.error().message.find(path), std::string::npos);
     EXPECT_TRUE(SocketPort::connect(path)); // the first one still listens
+}
+
+TEST_F(Socket, TheSecondHearsWhoListens)
+{
+    test::OtherProcess other([&] { return SocketListener::open(path); });
+    ASSERT_TRUE(other.has_it());
+    const auto second = SocketListener::open(path);
+    ASSERT_FALSE(second);
+    EXPECT_NE(second.error().message.find("process " + std::to_string(other.pid())),
+              std::string::npos)
+        << second.error().message;
+    other.kill();
+    EXPECT_TRUE(SocketListener::open(path));
+}
+
+/// A program that knows nothing of our locks.
+TEST_F(Socket, AStrangerThatListensIsNotReplaced)
+{
+    const UniqueFd stranger(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    sockaddr_un address = {};
+    address.sun_family = AF_UNIX;
+    std::copy(path.begin(), path.end(), address.sun_path);
+    ASSERT_EQ(::bind(stranger.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address),
+              0);
+    ASSERT_EQ(::listen(stranger.get(), 1), 0);
+    const auto listener = SocketListener::open(path);
+    ASSERT_FALSE(listener);
+    EXPECT_NE(listener.error().message.find("another process listens there"), std::string::npos);
+    EXPECT_TRUE(SocketPort::connect(path));
+}
+
+/// Two starts at once, over a socket that was left behind: one of them listens, never both.
+TEST_F(Socket, OfManyStartsAtOnceOneListens)
+{
+    for (int round = 0; round < 20; ++round) {
+        {
+            auto killed = SocketListener::open(path);
+            ASSERT_TRUE(killed);
+            fs::create_hard_link(path, folder / "kept");
+        }
+        fs::rename(folder / "kept", path);
+        std::vector<std::optional<SocketListener>> listeners(4);
+        std::latch together(static_cast<std::ptrdiff_t>(listeners.size()));
+        std::vector<std::jthread> starts;
+        for (auto& listener : listeners)
+            starts.emplace_back([&] {
+                together.arrive_and_wait();
+                if (auto opened = SocketListener::open(path))
+                    listener.emplace(std::move(*opened));
+            });
+        starts.clear();
+        const auto open = std::ranges::count_if(listeners, [](auto& l) { return l.has_value(); });
+        ASSERT_EQ(open, 1) << "round " << round;
+        ASSERT_TRUE(SocketPort::connect(path));
+    }
+}
+
+TEST_F(Socket, OneThatWasReplacedIsNotRemovedByTheOldOne)
+{
+    std::optional<SocketListener> first;
+    {
+        auto opened = SocketListener::open(path);
+        ASSERT_TRUE(opened);
+        first.emplace(std::move(*opened));
+    }
+    EXPECT_TRUE(first->in_place());
+    fs::rename(path, folder / "away"); // the number of the old one stays taken
+    EXPECT_FALSE(first->in_place());
+    test::write_text(path, "somebody else's");
+    EXPECT_FALSE(first->in_place());
+    first.reset();
+    EXPECT_EQ(test::read_text(path), "somebody else's");
 }
 
 TEST_F(Socket, SomethingElseOfThatNameStays)

@@ -167,9 +167,13 @@ namespace
 {
 
 std::vector<std::string> service_command(const TemporaryFolder& folder,
-                                         const std::vector<std::string>& options)
+                                         const std::vector<std::string>& options,
+                                         const std::string& shell)
 {
-    std::vector<std::string> command = {RAYMARCHD};
+    std::vector<std::string> command;
+    if (!shell.empty())
+        command = {"/bin/sh", "-c", shell, "sh"};
+    command.emplace_back(RAYMARCHD);
     const std::array<std::pair<std::string, std::string>, 4> defaults = {{
         {"--registers", "file:" + folder / "registers"},
         {"--serial", "pty:" + folder / "tty"},
@@ -186,8 +190,8 @@ std::vector<std::string> service_command(const TemporaryFolder& folder,
 } // namespace
 
 Service::Service(const TemporaryFolder& folder, std::vector<std::string> options,
-                 const Environment& environment)
-    : process(service_command(folder, options), folder / "log", environment)
+                 const Environment& environment, const std::string& shell)
+    : process(service_command(folder, options, shell), folder / "log", environment)
     , folder_(folder)
 {}
 
@@ -197,6 +201,20 @@ bool Service::ready() const
         Host host = Host::on_socket(control());
         return host.connected() && host.ask("PING") == "OK";
     });
+}
+
+bool Service::says(std::string_view text) const
+{
+    return eventually([&] { return count(text) > 0; });
+}
+
+std::size_t Service::count(std::string_view text) const
+{
+    const std::string log = process.errors();
+    std::size_t times = 0;
+    for (std::size_t at = 0; (at = log.find(text, at)) != std::string::npos; at += text.size())
+        ++times;
+    return times;
 }
 
 std::string Service::status(std::string_view field) const
@@ -242,7 +260,12 @@ Host Host::on_socket(const std::string& path)
 void Host::send(std::string_view bytes) const
 {
     while (!bytes.empty()) {
-        const ssize_t size = ::write(fd_.get(), bytes.data(), bytes.size());
+        // A service that has closed the connection must not end the test by SIGPIPE.
+        ssize_t size = ::send(fd_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (size < 0 && errno == ENOTSOCK)
+            size = ::write(fd_.get(), bytes.data(), bytes.size());
+        if (size < 0 && errno != EAGAIN && errno != EINTR)
+            return; // the reply, if there is one, tells why
         if (size > 0) {
             bytes.remove_prefix(static_cast<std::size_t>(size));
             continue;

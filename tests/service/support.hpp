@@ -53,6 +53,7 @@ class Process
     ~Process();
 
     void signal(int number) const;
+    [[nodiscard]] pid_t pid() const { return pid_; }
     [[nodiscard]] bool running();
     /// The exit status; 128 + N when signal N ended it; -1 when it does not end.
     [[nodiscard]] int wait();
@@ -80,11 +81,17 @@ struct Finished
 class Service
 {
   public:
+    /// `shell`, where there is one, is a script that ends in `exec "$@"`, and so becomes the
+    /// service.
     explicit Service(const TemporaryFolder& folder, std::vector<std::string> options = {},
-                     const Environment& environment = {});
+                     const Environment& environment = {}, const std::string& shell = {});
 
     /// Waits for the control socket to answer.
     [[nodiscard]] bool ready() const;
+    /// Waits until the log says `text`.
+    [[nodiscard]] bool says(std::string_view text) const;
+    /// How often the log says it.
+    [[nodiscard]] std::size_t count(std::string_view text) const;
     /// The value of a STATUS field; empty when there is none.
     [[nodiscard]] std::string status(std::string_view field) const;
     /// The first eight words of the register file.
