@@ -13,6 +13,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstddef>
@@ -98,6 +99,8 @@ Result<std::unique_ptr<PseudoTerminal>> PseudoTerminal::open(const std::string& 
     if (!settings)
         return fail(errno_error(ErrorKind::InputOutput, "set up", name.data()));
     open_to_group(name.data());
+    // Once opened and closed, it says of itself that nobody has it open.
+    UniqueFd(::open(name.data(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)).reset();
     UniqueFd visits = watch_visits(name.data());
     if (auto placed = place_link(name.data(), place); !placed)
         return fail(placed.error());
@@ -139,12 +142,12 @@ Result<void> PseudoTerminal::restore_link()
     return {};
 }
 
-/// Whether the last host left and another has come since. inotify tells two events of one kind that
-/// nobody took in between as one, so of hosts that come together the count can be too low. Then the
-/// last of them that is counted leaves, and somebody has the terminal open all the same.
+/// Whether the last host left and another has come since. inotify tells two openings that nobody
+/// took in between as one, so the count may be too low, and a host that is still there counts as
+/// gone. Then the next one to come is taken for its successor, which costs replies that it has not
+/// read by then.
 bool PseudoTerminal::take_visits() noexcept
 {
-    bool empty = false;
     bool followed = false;
     std::array<char, 1024> chunk; // NOLINT(*-member-init): read before use
     for (ssize_t size = 0;
@@ -156,14 +159,12 @@ bool PseudoTerminal::take_visits() noexcept
             if ((event.mask & IN_OPEN) != 0) {
                 ++hosts_;
                 visited_ = true;
-                followed = followed || std::exchange(empty, false);
+                followed = std::exchange(left_, false) || followed;
             } else if ((event.mask & closed) != 0 && hosts_ > 0) {
-                empty = --hosts_ == 0;
+                left_ = --hosts_ == 0;
             }
         }
     }
-    if (empty && !nobody_has_it_open())
-        hosts_ = 1;
     return followed;
 }
 
@@ -202,9 +203,16 @@ bool PseudoTerminal::start_afresh() noexcept
 
 ReadOutcome PseudoTerminal::read(std::span<char> into) noexcept
 {
+    // In this order: who has said one of these bytes has been seen to come.
+    int waiting = 0;
+    ::ioctl(fd_.get(), FIONREAD, &waiting);
     look();
     if (std::exchange(hung_up_, false))
         return {ReadStatus::HungUp, 0}; // before the next host's first bytes
+    if (waiting <= 0 && !nobody_has_it_open())
+        return {ReadStatus::Empty, 0};
+    if (waiting > 0)
+        into = into.first(std::min(into.size(), static_cast<std::size_t>(waiting)));
     const ReadOutcome outcome = read_some(fd_.get(), into, ReadStatus::HungUp);
     if (outcome.status == ReadStatus::Data)
         host_spoke_ = true;
@@ -215,9 +223,9 @@ ReadOutcome PseudoTerminal::read(std::span<char> into) noexcept
         return {ReadStatus::Empty, 0};
     if (!start_afresh())
         return {ReadStatus::Gone, 0};
-    static_cast<void>(take_visits()); // by ourselves
-    visited_ = false;
     hosts_ = 0;
+    static_cast<void>(take_visits()); // our own, and perhaps the next host's
+    visited_ = left_ = !nobody_has_it_open();
     return {std::exchange(host_spoke_, false) ? ReadStatus::HungUp : ReadStatus::Empty, 0};
 }
 

@@ -66,10 +66,11 @@ class PseudoTerminal final : public BytePort
     std::string name_;
     std::string link_;
     std::optional<FileIdentity> own_link_;
-    int hosts_ = 0;          ///< how many have the other end open, as far as is known
-    bool visited_ = false;   ///< somebody opened it since it was alone
-    bool host_spoke_ = true; ///< since the last hang-up
-    bool hung_up_ = false;   ///< and the next read is to say so
+    int hosts_ = 0;           ///< how many have the other end open, as far as is known
+    bool left_ = false;       ///< the last of them has left
+    bool visited_ = false;    ///< somebody opened it since it was alone
+    bool host_spoke_ = false; ///< since the last hang-up
+    bool hung_up_ = false;    ///< and the next read is to say so
 };
 
 } // namespace raymarch::drivers
