@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "console/view_options.hpp"
 
+#include "console/texts.hpp"
 #include "console/words.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/picture_size.hpp"
@@ -101,7 +102,7 @@ CLI::Option_group& add_view_options(CLI::App& command, ViewOptions& options)
     CLI::Option_group* const what =
         command.add_option_group("what to draw", "(default: the accelerator's defaults)");
     CLI::Option* const registers =
-        what->add_option("--registers", options.words, "all parameter words, in hex, word 0 first")
+        add_texts(*what, "--registers", options.words, "all parameter words, in hex, word 0 first")
             ->type_name("WORD")
             ->expected(1, static_cast<int>(protocol::max_parameter_words));
     CLI::Option* const line =
