@@ -5,12 +5,17 @@
 
 namespace raymarch::console
 {
+namespace
+{
+
+/// CLI11's own number for it, which its help shows as dots.
+constexpr int any_number = 1 << 29;
+
+} // namespace
 
 CLI::Option* add_texts(CLI::App& command, const std::string& name, std::vector<std::string>& texts,
                        const std::string& meaning)
 {
-    // CLI11 takes options of at least 2^25 texts one text at a time; nobody types so many.
-    constexpr int many = 1'000'000;
     const auto option = std::make_shared<CLI::Option*>(nullptr);
     *option = command.add_option(
         name,
@@ -19,7 +24,14 @@ CLI::Option* add_texts(CLI::App& command, const std::string& name, std::vector<s
             return true;
         },
         meaning);
-    return (*option)->type_name("TEXT")->expected(1, many)->allow_extra_args(false);
+    // A positional argument takes further texts up to its least number, or where CLI11 may split
+    // them, which is not wanted here. TakeAll has it not count them afterwards.
+    const bool positional = !name.starts_with('-');
+    return (*option)
+        ->type_name("TEXT")
+        ->expected(positional ? any_number : 1, any_number)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
 }
 
 } // namespace raymarch::console
