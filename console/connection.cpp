@@ -164,7 +164,7 @@ bool Connection::is_late(std::string_view asked, std::string_view reply) const
     if (!has_right_mark(reply))
         return false;
     if (!has_mark(asked)) // not answered with one; several lines in one may have marks, though
-        return asked.find('\r') == std::string_view::npos;
+        return far_end_ != FarEnd::Unmarked && asked.find('\r') == std::string_view::npos;
     if (!word_.empty() && reply.find(word_) != std::string_view::npos)
         return true;
     const bool names = accelerator_of(without_mark(reply)) != nullptr;
