@@ -93,6 +93,9 @@ class EditedLines final : public TypedLines
         ::el_set(editor, EL_ADDFN, complete_command, "completes a word", &EditedLines::on_tab);
         for (const Binding& binding : bindings)
             ::el_set(editor, EL_BIND, binding.key, binding.command, nullptr);
+        // Between two lines as well the terminal hands on every byte at once: by lines it would
+        // eat a Ctrl-D, and the end of a long paste, that come while a reply is waited for.
+        ::el_set(editor, EL_SETTY, "-x", "-icanon", "-echo", nullptr);
         ::el_source(editor, nullptr); // a person's own ~/.editrc
         return true;
     }

@@ -21,6 +21,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 namespace raymarch::tests
 {
@@ -277,6 +278,30 @@ TEST(ConsoleOfAPipe, BlankLinesAndCommentsHaveNoReplyAndTheLastLineMayHaveNoEndi
                                       std::string(1'000'000, 'x') + "\nPING");
     EXPECT_TRUE(longest.output.starts_with("ERR TOO_LONG : ")) << longest.output;
     EXPECT_TRUE(longest.output.ends_with("\nOK\n")) << longest.output;
+}
+
+/// Also what is typed before the prompt, or while a reply is waited for; a terminal that hands on
+/// lines would hold 4095 bytes of one.
+TEST_F(ConsoleAtATerminal, WhatIsTypedAheadIsNotLost)
+{
+    Terminal terminal(options(), environment());
+    ASSERT_TRUE(terminal.shows(prompt));
+    std::string text = "PING\r";
+    for (int i = 0; i < 500; ++i)
+        text += "SET\tZM=1\xC2\xA0"
+                "0\r";
+    text += std::string(1024, 'x') + "\rGET ZM\r\x04";
+    std::thread typist([&] { terminal.type(text); });
+    for (int i = 0; i < 500; ++i)
+        if (!terminal.shows("ERR BAD_BYTE col=9")) {
+            ADD_FAILURE() << i << terminal.shown();
+            break;
+        }
+    EXPECT_TRUE(terminal.shows("ERR UNKNOWN_COMMAND col=1"));
+    EXPECT_TRUE(terminal.shows("OK ZM=3"));
+    typist.join();
+    EXPECT_EQ(terminal.wait(), EX_OK);
+    EXPECT_TRUE(terminal.restored());
 }
 
 TEST_F(ConsoleAtATerminal, ACompletedWordGetsItsBlank)

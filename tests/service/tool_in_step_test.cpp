@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <filesystem>
 #include <utility>
 
 namespace raymarch::tests
@@ -117,6 +118,41 @@ TEST(ToolInStep, EverySubcommandMakesTheSameFirstContact)
     }
 }
 
+TEST(ToolInStep, APortMayHaveAnAtInItsPath)
+{
+    const TemporaryFolder folder;
+    const Service service(folder);
+    ASSERT_TRUE(service.ready());
+    std::filesystem::create_directory(folder / "jane@corp.example");
+    for (const std::string name : {"jane@corp.example/tty", "tty@home", "tty@9600"}) {
+        std::filesystem::create_symlink(service.terminal(), folder / name);
+        for (const std::string rate : {"", "@115200"}) {
+            const Finished sent =
+                run_tool(folder, {"send", "--port", folder / name + rate, "PING"});
+            EXPECT_EQ(sent.output, "OK\n") << name << rate << ": " << sent.errors;
+        }
+    }
+    EXPECT_EQ(run_tool(folder, {"send", "--port", folder / "none@fast", "PING"}).status, EX_USAGE);
+}
+
+TEST(ToolInStep, LinesThatLookLikeListsAreLines)
+{
+    const TemporaryFolder folder;
+    const Service service(folder);
+    ASSERT_TRUE(service.ready());
+    const Finished sent = run_tool(folder, {"send", "--socket", service.control(), "[PING,VERSION]",
+                                            "{}", "%%", "[]", "PING", "# no line", "OK", " "});
+    EXPECT_EQ(sent.status, 1);
+    EXPECT_EQ(std::ranges::count(sent.output, '\n'), 5) << sent.output;
+    EXPECT_TRUE(sent.output.ends_with("\nOK\n")) << sent.output;
+    const Finished words = run_tool(folder, {"decode", "[1,2]"});
+    EXPECT_NE(words.errors.find("8 register words, not 1"), std::string::npos) << words.errors;
+    const Finished view = run_tool(folder, {"sheet", "-o", folder / "x.ppm", "[a,b]"});
+    EXPECT_NE(view.errors.find("'[a,b]'"), std::string::npos) << view.errors;
+    const Finished many = run_tool(folder, {"send", "PING", "--socket", service.control(), "PING"});
+    EXPECT_EQ(many.output, "OK\nOK\n") << many.errors;
+}
+
 TEST(ToolInStep, TheFirstContactLeavesNoTrace)
 {
     const TemporaryFolder folder;
@@ -186,19 +222,18 @@ TEST(ToolInStep, AServiceThatSaysNothingStillGetsTheLine)
 TEST(ToolInStep, AFarEndThatIsDeadIsAnError)
 {
     const TemporaryFolder folder;
-    for (const bool echoes : {false, true}) {
-        for (const FarEnd::Place place : places) {
-            const FarEnd dead(folder, place, [echoes](int fd) {
-                for (std::string bytes = read_bytes(fd); !bytes.empty(); bytes = read_bytes(fd))
-                    if (echoes)
-                        write_all(fd, bytes);
-            });
-            const Finished status = run_at(folder, dead, {"status"});
-            EXPECT_EQ(status.status, EX_IOERR);
-            EXPECT_EQ(status.output, "");
-            EXPECT_NE(status.errors.find("nothing answers at the far end"), std::string::npos)
-                << status.errors;
-        }
+    for (const FarEnd::Place place : places) {
+        const bool echoes = place == FarEnd::Place::Terminal;
+        const FarEnd dead(folder, place, [echoes](int fd) {
+            for (std::string bytes = read_bytes(fd); !bytes.empty(); bytes = read_bytes(fd))
+                if (echoes)
+                    write_all(fd, bytes);
+        });
+        const Finished status = run_at(folder, dead, {"status"});
+        EXPECT_EQ(status.status, EX_IOERR);
+        EXPECT_EQ(status.output, "");
+        EXPECT_NE(status.errors.find("nothing answers at the far end"), std::string::npos)
+            << status.errors;
     }
 }
 
