@@ -29,7 +29,6 @@ namespace raymarch::console
 namespace
 {
 
-constexpr std::chrono::milliseconds quiet{200};
 constexpr std::string_view active_reply = "OK accelerator=";
 
 /// The one that the table files are about.
@@ -40,19 +39,6 @@ struct Options
     Endpoint endpoint;
     bool verbose = false;
 };
-
-/// Bytes as a person can read them in one line.
-std::string visible(std::string_view bytes)
-{
-    constexpr std::size_t longest = 200;
-    std::string text;
-    for (const char c : bytes.substr(0, longest))
-        text += c >= 0x20 && c <= 0x7E ? std::string(1, c)
-                                       : fmt::format("\\x{:02X}", static_cast<unsigned char>(c));
-    if (bytes.size() > longest)
-        text += fmt::format("... ({} bytes)", bytes.size());
-    return text;
-}
 
 /// The byte, from 1, at which a reply leaves its pattern: the end of the longest front of the reply
 /// that some front of the pattern describes.
@@ -106,13 +92,12 @@ class Runner
     /// Errors: as above. `name` and the row's line are what a failing row is called.
     Result<void> run(std::string_view name, const std::vector<conformance::Row>& rows)
     {
-        connection_.drain(quiet); // what an earlier host left behind
-        if (const auto reset = connection_.ask("RESET"); !reset)
+        if (const auto reset = connection_.request("RESET"); !reset)
             return fail(reset.error());
-        const auto start = connection_.ask("REGS");
+        const auto start = connection_.request("REGS");
         if (!start)
             return fail(start.error());
-        before_ = words_of(start->back()).value_or(std::vector<std::uint32_t>());
+        before_ = words_of(*start).value_or(std::vector<std::uint32_t>());
         for (const conformance::Row& row : rows)
             if (auto judged = judge(name, row); !judged)
                 return judged;
@@ -142,34 +127,46 @@ class Runner
         ++failed_;
         fmt::print("FAILED {} {}\n  sent     {}\n{}", place(name, row), row.why, visible(row.send),
                    difference);
-        connection_.drain(quiet); // the next row starts in step again
-        const auto now = connection_.ask("REGS");
+        if (auto again = connection_.synchronise(); !again) // the next row starts in step
+            return again;
+        const auto now = connection_.request("REGS");
         if (!now)
             return fail(now.error());
-        before_ = words_of(now->back()).value_or(before_);
+        before_ = words_of(*now).value_or(before_);
         return {};
+    }
+
+    Result<std::string> next_line()
+    {
+        auto line = connection_.receive();
+        if (!line)
+            return fail(line.error());
+        if (!*line)
+            return fail(plain_error(ErrorKind::InputOutput, "no reply came in time"));
+        return std::move(**line);
     }
 
     /// What differs, in lines; empty when nothing does. REGS behind the row's own bytes ends its
     /// replies, whatever their number, and shows the words.
     std::string run_row(const conformance::Row& row)
     {
-        if (const auto sent = connection_.send(row.send + "REGS\n"); !sent)
+        const std::string regs = connection_.request_line("REGS") + "\n";
+        if (const auto sent = connection_.send(row.send + regs); !sent)
             return fmt::format("  {}\n", sent.error().message);
         for (const std::string& pattern : row.replies) {
-            const auto reply = connection_.receive();
+            const auto reply = next_line();
             if (!reply)
                 return fmt::format("  expected {}\n  {}\n", pattern, reply.error().message);
             if (!conformance::match(pattern, *reply))
                 return fmt::format("  expected {}\n  got      {}\n  differs from byte {} on\n",
                                    pattern, visible(*reply), first_difference(pattern, *reply));
         }
-        const auto regs = connection_.receive();
-        if (!regs)
-            return fmt::format("  expected the reply to REGS\n  {}\n", regs.error().message);
-        const auto words = words_of(*regs);
+        const auto last = next_line();
+        if (!last)
+            return fmt::format("  expected the reply to REGS\n  {}\n", last.error().message);
+        const auto words = words_of(without_mark(*last));
         if (!words)
-            return fmt::format("  expected no further reply\n  got      {}\n", visible(*regs));
+            return fmt::format("  expected no further reply\n  got      {}\n", visible(*last));
         const std::vector<std::uint32_t> old = std::exchange(before_, *words);
         const auto& wanted = row.words_check == conformance::WordsCheck::Same ? old : row.words;
         if (row.words_check != conformance::WordsCheck::Unchecked && *words != wanted)
@@ -189,27 +186,26 @@ class Runner
 /// of the files. Errors: Unavailable, for one that is not known here; InputOutput.
 Result<const protocol::Accelerator*> active_accelerator(Connection& connection)
 {
-    connection.drain(quiet); // what an earlier host left behind
-    const auto reply = connection.ask("ACCELERATOR");
+    const auto reply = connection.request("ACCELERATOR");
     if (!reply)
         return fail(reply.error());
-    const std::string_view text = reply->back();
-    if (!text.starts_with(active_reply))
+    if (!reply->starts_with(active_reply))
         return &of_the_files;
-    const std::string_view name = text.substr(active_reply.size());
-    if (const protocol::Accelerator* found = protocol::find_accelerator(name))
+    if (const protocol::Accelerator* found = accelerator_of(*reply))
         return found;
-    return fail(plain_error(ErrorKind::Unavailable,
-                            fmt::format("'{}' is an accelerator that is not known here", name)));
+    return fail(
+        plain_error(ErrorKind::Unavailable,
+                    fmt::format("'{}' is an accelerator that is not known here",
+                                visible(std::string_view(*reply).substr(active_reply.size())))));
 }
 
 /// False where the other side does not switch. Errors: InputOutput.
 Result<bool> switch_to(Connection& connection, const protocol::Accelerator& accelerator)
 {
-    const auto reply = connection.ask(fmt::format("ACCELERATOR {}", accelerator.name));
+    const auto reply = connection.request(fmt::format("ACCELERATOR {}", accelerator.name));
     if (!reply)
         return fail(reply.error());
-    return reply->back().starts_with(active_reply);
+    return reply->starts_with(active_reply);
 }
 
 Result<void> run_tables(Runner& runner)
@@ -242,7 +238,7 @@ Result<void> run_all(Connection& connection, Runner& runner)
     }
     if (auto result = run_tables(runner); !result)
         return result;
-    static_cast<void>(connection.ask("RESET"));
+    static_cast<void>(connection.request("RESET"));
     if (&own != &of_the_files)
         static_cast<void>(switch_to(connection, own));
     return {};
@@ -258,6 +254,8 @@ int run_conformance(const Options& options)
     if (!result)
         fmt::print(stderr, "raymarchctl: {}\n", result.error().message);
     fmt::print("{} passed, {} failed\n", runner.passed(), runner.failed());
+    if (const int number = connection->interrupted(); number != 0)
+        return status_of_signal + number;
     if (!result)
         return EX_UNAVAILABLE;
     return runner.failed() == 0 ? EX_OK : status_err_reply;

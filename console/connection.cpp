@@ -1,33 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "console/connection.hpp"
 
+#include "console/subcommands.hpp"
 #include "drivers/serial_port.hpp"
+#include "drivers/tty_name.hpp"
 #include "drivers/unix_socket.hpp"
+#include "protocol/text.hpp"
 
 #include <fmt/format.h>
 #include <poll.h>
 
+#include <algorithm>
 #include <array>
-#include <charconv>
+#include <filesystem>
 
 namespace raymarch::console
 {
 namespace
 {
 
-constexpr unsigned default_baud = 115'200;
+/// Replies are far shorter; a far end that sends no line ends is not listened to for ever.
+constexpr std::size_t longest_line = 1 << 20;
+/// A far end that sends lines of its own without a pause is not listened to for ever either.
+constexpr std::chrono::seconds longest_wait{30};
 
 Result<std::unique_ptr<drivers::BytePort>> open_port(const std::string& text)
 {
-    const std::size_t at = text.rfind('@');
-    unsigned baud = default_baud;
-    if (at != std::string::npos) {
-        const char* const end = text.data() + text.size();
-        const auto parsed = std::from_chars(text.data() + at + 1, end, baud);
-        if (parsed.ec != std::errc{} || parsed.ptr != end)
-            return fail(plain_error(ErrorKind::Usage, "'" + text + "' is not TTY[@BAUD]"));
-    }
-    return drivers::SerialPort::open(text.substr(0, at), baud);
+    std::error_code ignored;
+    if (std::filesystem::exists(text, ignored)) // also where an @ is a part of its name
+        return drivers::SerialPort::open(text, drivers::default_baud);
+    const auto name = drivers::parse_tty_name(text);
+    if (!name)
+        return fail(name.error());
+    return drivers::SerialPort::open(name->path, name->baud);
 }
 
 Result<std::unique_ptr<drivers::BytePort>> open_endpoint(const Endpoint& endpoint)
@@ -58,13 +63,44 @@ Result<Connection> Connection::open(const Endpoint& endpoint)
     auto port = open_endpoint(endpoint);
     if (!port)
         return fail(port.error());
-    return Connection(std::move(*port));
+    Connection connection(std::move(*port));
+    if (auto contact = connection.synchronise(); !contact)
+        return fail(contact.error());
+    return connection;
 }
 
-bool Connection::wait(short events, std::chrono::milliseconds timeout) const
+int Connection::interrupted() noexcept
 {
-    pollfd descriptor = {.fd = port_->fd(), .events = events, .revents = 0};
-    return ::poll(&descriptor, 1, static_cast<int>(timeout.count())) > 0;
+    if (interrupted_ == 0)
+        interrupted_ = stop_->take();
+    return interrupted_;
+}
+
+Result<bool> Connection::wait(short events, std::chrono::milliseconds timeout)
+{
+    std::array<pollfd, 2> waiting = {
+        pollfd{.fd = port_->fd(), .events = events, .revents = 0},
+        pollfd{.fd = stop_->fd(), .events = POLLIN, .revents = 0},
+    };
+    const auto left = std::max(timeout, std::chrono::milliseconds{0});
+    const int ready = ::poll(waiting.data(), waiting.size(), static_cast<int>(left.count()));
+    if (interrupted() != 0)
+        return fail(plain_error(ErrorKind::InputOutput, "interrupted"));
+    return ready > 0;
+}
+
+Result<void> Connection::read_more()
+{
+    std::array<char, 4096> chunk{};
+    const auto outcome = port_->read(chunk);
+    received_.append(chunk.data(), outcome.size);
+    if (outcome.status != drivers::ReadStatus::Gone)
+        return {};
+    if (received_.empty())
+        return fail(plain_error(ErrorKind::InputOutput, "the service closed the connection"));
+    return fail(plain_error(
+        ErrorKind::InputOutput,
+        fmt::format("the service closed the connection behind '{}'", visible(received_))));
 }
 
 Result<void> Connection::send(std::string_view bytes)
@@ -72,75 +108,137 @@ Result<void> Connection::send(std::string_view bytes)
     while (!bytes.empty()) {
         const std::size_t taken = port_->write(bytes);
         bytes.remove_prefix(taken);
-        if (taken == 0 && !wait(POLLOUT, reply_timeout))
+        if (taken > 0)
+            continue;
+        const auto ready = wait(POLLIN | POLLOUT, reply_timeout);
+        if (!ready)
+            return fail(ready.error());
+        if (!*ready)
             return fail(plain_error(ErrorKind::InputOutput, "the service takes no bytes"));
-        if (taken == 0) { // room, or an end: only a read tells which
-            std::array<char, 4096> chunk{};
-            const auto outcome = port_->read(chunk);
-            received_.append(chunk.data(), outcome.size);
-            if (outcome.status == drivers::ReadStatus::Gone)
-                return fail(
-                    plain_error(ErrorKind::InputOutput, "the service closed the connection"));
-        }
+        // Room, replies that have to be read before there is any, or an end: a read tells which.
+        if (const auto more = read_more(); !more)
+            return fail(more.error());
     }
     return {};
 }
 
-Result<std::string> Connection::receive(std::chrono::milliseconds timeout)
+Result<std::optional<std::string>> Connection::receive(std::chrono::milliseconds timeout)
 {
-    const auto deadline = std::chrono::steady_clock::now() + timeout;
-    for (;;) {
-        if (const std::size_t end = received_.find('\n'); end != std::string::npos) {
+    for (std::size_t searched = 0;;) {
+        if (const std::size_t end = received_.find('\n', searched); end != std::string::npos) {
             std::string line = received_.substr(0, end);
             received_.erase(0, end + 1);
             if (line.ends_with('\r'))
                 line.pop_back();
             return line;
         }
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-            deadline - std::chrono::steady_clock::now());
-        if (left.count() <= 0 || !wait(POLLIN, left))
-            return fail(plain_error(ErrorKind::InputOutput, "no reply came in time"));
-        std::array<char, 4096> chunk{};
-        const auto outcome = port_->read(chunk);
-        received_.append(chunk.data(), outcome.size);
-        if (outcome.status == drivers::ReadStatus::Gone)
-            return fail(plain_error(ErrorKind::InputOutput, "the service closed the connection"));
+        searched = received_.size();
+        if (searched > longest_line)
+            return fail(plain_error(ErrorKind::InputOutput,
+                                    "what comes has no line ends: it is not this protocol"));
+        const auto ready = wait(POLLIN, timeout);
+        if (!ready)
+            return fail(ready.error());
+        if (!*ready)
+            return std::nullopt;
+        if (const auto more = read_more(); !more)
+            return fail(more.error());
     }
 }
 
-Result<std::vector<std::string>> Connection::ask(std::string_view line)
+Error Connection::no_reply(std::string_view line) const
 {
-    if (auto sent = send(std::string(line) + "\n"); !sent)
-        return fail(sent.error());
+    std::string text = fmt::format("no reply to '{}' came in time", visible(line));
+    if (far_end_ == FarEnd::OnlyErrors)
+        text += "; the far end sends ERR replies only (the service's setting replies), so no ERR "
+                "was due";
+    else if (far_end_ == FarEnd::Silent)
+        text += "; nothing answers at the far end, or the service's setting replies is none";
+    if (!skipped_.empty())
+        text += fmt::format("; what came last is no reply to it: '{}'", visible(skipped_));
+    return plain_error(ErrorKind::InputOutput, std::move(text));
+}
+
+bool Connection::is_late(std::string_view asked, std::string_view reply) const
+{
+    if (!has_right_mark(reply))
+        return false;
+    if (!has_mark(asked)) // not answered with one; several lines in one may have marks, though
+        return far_end_ != FarEnd::Unmarked && asked.find('\r') == std::string_view::npos;
+    if (!word_.empty() && reply.find(word_) != std::string_view::npos)
+        return true;
+    const bool names = accelerator_of(without_mark(reply)) != nullptr;
+    return far_end_ == FarEnd::Silent && names && reply.find(' ', 3) == std::string_view::npos &&
+           !protocol::equal_ignoring_case(asked.substr(0, 11), "ACCELERATOR");
+}
+
+Result<std::vector<std::string>> Connection::collect(std::string_view line, std::size_t due,
+                                                     bool marked)
+{
+    skipped_.clear();
     std::vector<std::string> replies;
-    for (;;) {
-        auto reply = receive();
-        if (!reply)
-            return fail(reply.error());
-        const bool last = reply->starts_with("OK") || is_err(*reply);
-        if (last || reply->starts_with('#')) // anything else is an echo of what was sent
-            replies.push_back(std::move(*reply));
-        if (last)
-            return replies;
+    auto give_up = Clock::now() + longest_wait;
+    while (due > 0) {
+        auto came = receive(patience());
+        if (!came)
+            return fail(came.error());
+        if (!*came || Clock::now() > give_up)
+            return fail(no_reply(line));
+        std::string& reply = **came;
+        if (!is_reply(reply) || is_late(line, reply) || (marked && !has_right_mark(reply))) {
+            if (reply != line) // which a far end that echoes sends back
+                skipped_ = std::move(reply);
+            continue;
+        }
+        if (far_end_ == FarEnd::Silent)
+            far_end_ = has_right_mark(reply) ? FarEnd::Speaks : FarEnd::Unmarked;
+        due -= ends_reply(reply) ? 1 : 0;
+        give_up = Clock::now() + longest_wait;
+        replies.push_back(std::move(reply));
     }
+    return replies;
 }
 
-void Connection::drain(std::chrono::milliseconds quiet)
+Result<std::vector<std::string>> Connection::ask(std::string_view bytes)
 {
-    while (receive(quiet)) {
-    }
-    received_.clear();
+    if (auto sent = send(std::string(bytes) + "\n"); !sent)
+        return fail(sent.error());
+    return collect(bytes, replies_due(bytes), false);
 }
 
-Result<std::string> ask_and_print(Connection& connection, std::string_view line)
+std::string Connection::request_line(std::string_view command) const
 {
-    const auto replies = connection.ask(line);
+    return far_end_ == FarEnd::Unmarked ? std::string(command) : with_mark(command);
+}
+
+Result<std::string> Connection::request(std::string_view command)
+{
+    const std::string line = request_line(command);
+    if (far_end_ == FarEnd::OnlyErrors) // nothing would come, and it would take the time-out
+        return fail(no_reply(line));
+    if (auto sent = send(line + "\n"); !sent)
+        return fail(sent.error());
+    const auto replies = collect(line, 1, far_end_ == FarEnd::Speaks);
+    if (!replies)
+        return fail(replies.error());
+    return std::string(without_mark(replies->back()));
+}
+
+Result<std::string> ask_and_print(Connection& connection, std::string_view bytes)
+{
+    const auto replies = connection.ask(bytes);
     if (!replies)
         return fail(replies.error());
     for (const std::string& reply : *replies)
         fmt::print("{}\n", reply);
-    return replies->back();
+    return replies->empty() ? std::string() : std::string(without_mark(replies->back()));
+}
+
+int report(Connection& connection, const Error& error)
+{
+    if (const int number = connection.interrupted(); number != 0)
+        return status_of_signal + number;
+    return report(error);
 }
 
 } // namespace raymarch::console

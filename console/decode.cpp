@@ -2,6 +2,7 @@
 /// @file
 /// `raymarchctl decode`: register words back to the frame that they hold.
 #include "console/subcommands.hpp"
+#include "console/texts.hpp"
 #include "console/words.hpp"
 #include "protocol/registers.hpp"
 #include "protocol/reply.hpp"
@@ -57,7 +58,7 @@ void add_decode(CLI::App& app, Run& run)
 {
     CLI::App* const command = app.add_subcommand("decode", "register words to the frame they hold");
     const auto options = std::make_shared<Options>();
-    command->add_option("WORD", options->words, "all parameter words, in hex, word 0 first")
+    add_texts(*command, "WORD", options->words, "all parameter words, in hex, word 0 first")
         ->required();
     add_accelerator_option(*command, options->accelerator, "whose words");
     command->callback([options, &run] { run = [options] { return decode(*options); }; });

@@ -42,8 +42,12 @@ int main(int argc, char** argv)
     }
     try {
         const int status = run();
-        return std::fflush(stdout) == 0 && std::ferror(stdout) == 0 ? status : EX_IOERR;
+        errno = 0;
+        const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+        return written || errno == EPIPE ? status : EX_IOERR;
     } catch (const std::system_error& error) { // what fmt::print throws when nobody takes the text
+        if (error.code() == std::errc::broken_pipe) // `| head -1` has what it wanted
+            return EX_OK;
         fmt::print(stderr, "raymarchctl: {}\n", error.what());
         return EX_IOERR;
     }

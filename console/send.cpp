@@ -3,6 +3,7 @@
 /// `raymarchctl send`: lines to the service, replies to standard output.
 #include "console/connection.hpp"
 #include "console/subcommands.hpp"
+#include "console/texts.hpp"
 
 #include <fmt/format.h>
 #include <sysexits.h>
@@ -22,26 +23,21 @@ struct Options
     std::vector<std::string> lines;
 };
 
-/// A line that is blank has no reply to wait for.
-bool has_reply(const std::string& line)
-{
-    return line.find_first_not_of(" \t\r") != std::string::npos;
-}
-
 int send(const Options& options)
 {
+    for (const std::string& line : options.lines)
+        if (line.find('\n') != std::string::npos)
+            return report(plain_error(ErrorKind::Usage, "one line an argument"));
     auto connection = Connection::open(options.endpoint);
     if (!connection)
         return report(connection.error());
     bool refused = false;
     for (const std::string& line : options.lines) {
-        if (line.find('\n') != std::string::npos)
-            return report(plain_error(ErrorKind::Usage, "one line an argument"));
-        if (!has_reply(line))
+        if (replies_due(line) == 0)
             continue;
         const auto reply = ask_and_print(*connection, line);
         if (!reply)
-            return report(reply.error());
+            return report(*connection, reply.error());
         refused |= is_err(*reply);
     }
     return refused ? status_err_reply : EX_OK;
@@ -55,7 +51,7 @@ void add_send(CLI::App& app, Run& run)
         app.add_subcommand("send", "sends lines and prints the replies; 0 if all are OK");
     const auto options = std::make_shared<Options>();
     add_endpoint_options(*command, options->endpoint);
-    command->add_option("LINE", options->lines, "frames and commands, one an argument")->required();
+    add_texts(*command, "LINE", options->lines, "frames and commands, one an argument")->required();
     command->callback([options, &run] { run = [options] { return send(*options); }; });
 }
 

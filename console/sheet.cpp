@@ -5,6 +5,7 @@
 #include "console/drawing.hpp"
 #include "console/picture_output.hpp"
 #include "console/subcommands.hpp"
+#include "console/texts.hpp"
 #include "console/view_options.hpp"
 #include "console/words.hpp"
 #include "engine/draw.hpp"
@@ -97,8 +98,8 @@ void add_sheet(CLI::App& app, Run& run)
 {
     CLI::App* const command = app.add_subcommand("sheet", "many views on one contact sheet");
     const auto options = std::make_shared<Options>();
-    CLI::Option* const views = command->add_option(
-        "VIEW", options->views,
+    CLI::Option* const views = add_texts(
+        *command, "VIEW", options->views,
         "NAME:PRESET of an accelerator, or NAME for its defaults; none: the defaults of all");
     command
         ->add_option("--accelerator", options->accelerator,

@@ -7,16 +7,17 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <poll.h>
 #include <sysexits.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
+#include <array>
 #include <cstdio>
 #include <ctime>
 #include <memory>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -42,15 +43,19 @@ Fields fields_of(std::string reply)
     return fields;
 }
 
+/// Errors: InputOutput, also for an ERR and for a reply without fields.
 Result<Fields> ask_fields(Connection& connection, const char* command)
 {
-    const auto replies = connection.ask(command);
-    if (!replies)
-        return fail(replies.error());
-    if (is_err(replies->back()))
-        return fail(
-            plain_error(ErrorKind::InputOutput, fmt::format("{}: {}", command, replies->back())));
-    return fields_of(replies->back());
+    const auto reply = connection.request(command);
+    if (!reply)
+        return fail(reply.error());
+    Fields fields;
+    if (!is_err(*reply))
+        fields = fields_of(*reply);
+    if (fields.empty())
+        return fail(plain_error(ErrorKind::InputOutput,
+                                fmt::format("the reply to {} is '{}'", command, visible(*reply))));
+    return fields;
 }
 
 /// Numbers as numbers, everything else as text.
@@ -77,7 +82,7 @@ int status(const StatusOptions& options)
         return report(connection.error());
     const auto fields = ask_fields(*connection, "STATUS");
     if (!fields)
-        return report(fields.error());
+        return report(*connection, fields.error());
     if (options.json) {
         fmt::print("{}\n", json_of(*fields).dump(2));
         return EX_OK;
@@ -110,6 +115,29 @@ std::string changes(const Fields& before, const Fields& now)
     return text;
 }
 
+/// Waits; false when nobody reads standard output any longer, or a signal came.
+bool pause_for(double seconds, Connection& connection)
+{
+    std::array<pollfd, 2> waiting = {
+        pollfd{.fd = STDOUT_FILENO, .events = 0, .revents = 0}, // an error of a pipe is reported
+        pollfd{.fd = connection.stop_fd(), .events = POLLIN, .revents = 0},
+    };
+    return ::poll(waiting.data(), waiting.size(), static_cast<int>(seconds * 1000)) <= 0;
+}
+
+/// Errors: InputOutput.
+Result<Fields> look(Connection& connection)
+{
+    auto fields = ask_fields(connection, "STATUS");
+    if (!fields)
+        return fields;
+    const auto parameters = ask_fields(connection, "GET");
+    if (!parameters)
+        return parameters;
+    fields->insert(fields->end(), parameters->begin(), parameters->end());
+    return fields;
+}
+
 int watch(const WatchOptions& options)
 {
     auto connection = Connection::open(options.endpoint);
@@ -117,20 +145,20 @@ int watch(const WatchOptions& options)
         return report(connection.error());
     Fields before;
     for (unsigned i = 0; options.count == 0 || i < options.count; ++i) {
-        if (i > 0)
-            std::this_thread::sleep_for(std::chrono::duration<double>(options.seconds));
-        auto now = ask_fields(*connection, "STATUS");
-        const auto parameters = ask_fields(*connection, "GET");
-        if (!now || !parameters)
-            return report(now ? parameters.error() : now.error());
-        now->insert(now->end(), parameters->begin(), parameters->end());
+        if (i > 0 && !pause_for(options.seconds, *connection))
+            break;
+        auto now = look(*connection);
+        if (!now)
+            return report(*connection, now.error());
         if (const std::string news = changes(before, *now); !news.empty()) {
             fmt::print("{:%H:%M:%S}{}\n", fmt::localtime(std::time(nullptr)), news);
-            static_cast<void>(std::fflush(stdout)); // main reports what could not be written
+            if (std::fflush(stdout) != 0)
+                break; // main says so, unless it is a pipe that was closed
         }
         before = std::move(*now);
     }
-    return EX_OK;
+    const int number = connection->interrupted();
+    return number == 0 ? EX_OK : status_of_signal + number;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "console/view_options.hpp"
 
+#include "console/texts.hpp"
 #include "console/words.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/picture_size.hpp"
@@ -28,9 +29,11 @@ Error refused(const protocol::Accelerator& accelerator, const protocol::Fault& f
 Result<protocol::State> state_of_line(const protocol::Accelerator& accelerator,
                                       const std::string& text)
 {
-    const bool too_long = text.size() > protocol::max_line_length;
-    const protocol::Request request = protocol::read_request(
-        {.bytes = text.substr(0, protocol::max_line_length), .too_long = too_long}, false);
+    const std::string_view bytes = text;
+    const protocol::Request request =
+        protocol::read_request({.bytes = bytes.substr(0, protocol::max_line_length),
+                                .too_long = bytes.size() > protocol::max_line_length},
+                               false);
     if (request.kind == protocol::Request::Kind::Faulty)
         return fail(refused(accelerator, request.fault));
     if (request.kind != protocol::Request::Kind::Frame)
@@ -101,7 +104,7 @@ CLI::Option_group& add_view_options(CLI::App& command, ViewOptions& options)
     CLI::Option_group* const what =
         command.add_option_group("what to draw", "(default: the accelerator's defaults)");
     CLI::Option* const registers =
-        what->add_option("--registers", options.words, "all parameter words, in hex, word 0 first")
+        add_texts(*what, "--registers", options.words, "all parameter words, in hex, word 0 first")
             ->type_name("WORD")
             ->expected(1, static_cast<int>(protocol::max_parameter_words));
     CLI::Option* const line =

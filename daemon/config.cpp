@@ -4,7 +4,7 @@
 #include "daemon/actions.hpp"
 #include "daemon/movement.hpp"
 #include "drivers/atomic_file.hpp"
-#include "drivers/serial_port.hpp"
+#include "drivers/tty_name.hpp"
 #include "drivers/unix_socket.hpp"
 #include "protocol/accelerators.hpp"
 #include "protocol/picture_size.hpp"
@@ -24,7 +24,6 @@ namespace raymarch::daemon
 namespace
 {
 
-constexpr unsigned default_baud = 115'200;
 constexpr std::size_t largest_config_file = 65'536;
 
 Error refuse(std::string_view text, std::string_view allowed)
@@ -76,14 +75,10 @@ Result<void> set_serial(Config& config, std::string_view text)
     } else if (const auto link = behind(text, "pty:")) {
         config.serial = PseudoTerminalLink{*link};
     } else if (text.starts_with('/')) {
-        const std::size_t at = text.rfind('@');
-        const auto baud = at == std::string_view::npos ? std::optional(default_baud)
-                                                       : number(text.substr(at + 1));
-        if (!baud)
-            return fail(refuse(text, serial_values));
-        if (!drivers::is_baud_rate(*baud))
-            return fail(refuse(std::to_string(*baud), "a baud rate: " + drivers::baud_rates()));
-        config.serial = SerialDevice{std::string(text.substr(0, at)), *baud};
+        const auto name = drivers::parse_tty_name(text);
+        if (!name)
+            return fail(plain_error(ErrorKind::Config, name.error().message));
+        config.serial = SerialDevice{name->path, name->baud};
     } else {
         return fail(refuse(text, serial_values));
     }
@@ -318,16 +313,69 @@ Result<void> refuse_what_ends_the_parser(std::string_view text, const std::strin
     return {};
 }
 
-/// One `key = value` of the file, given to `apply`.
+/// What a value is that no setting takes, for a message; nullptr where settings may take it.
+const char* unfit(const toml::node& node) noexcept
+{
+    switch (node.type()) {
+    case toml::node_type::table:
+        return "a table";
+    case toml::node_type::array:
+        return "an array";
+    case toml::node_type::floating_point:
+        return "a number with a fraction or an exponent";
+    case toml::node_type::date:
+    case toml::node_type::time:
+    case toml::node_type::date_time:
+        return "a date or a time";
+    case toml::node_type::none:
+    case toml::node_type::string:
+    case toml::node_type::integer:
+    case toml::node_type::boolean:
+        break;
+    }
+    return nullptr;
+}
+
+using Apply = Result<void> (*)(Config&, std::string_view, std::string_view);
+
+/// One entry at the top of the file whose value is not for a setting.
+Result<void> refuse_value(std::string_view name, const toml::node& node)
+{
+    const bool known = std::ranges::find(table, name, &Setting::name) != table.end();
+    if (!known && !node.is_table())
+        return fail(plain_error(ErrorKind::Config, fmt::format("there is no setting '{}'", name)));
+    if (!node.is_table())
+        return fail(plain_error(
+            ErrorKind::Config, fmt::format("{} takes a string, a whole number or a boolean, not {}",
+                                           name, unfit(node))));
+    return fail(
+        plain_error(ErrorKind::Config,
+                    fmt::format("there is no table [{}]{}; the only table is [{}]", name,
+                                known ? fmt::format(": {} is a setting, {} = VALUE", name, name)
+                                      : fmt::format(" and no setting '{}'", name),
+                                lines_table)));
+}
+
+/// One entry of the table of lines whose value is not for a line.
+Result<void> refuse_line(std::string_view action, const toml::node& node)
+{
+    Config unused;
+    unused.gpio.lines.resize(actions().size());
+    if (auto known = set_line(unused, action, "none"); !known)
+        return known;
+    return fail(plain_error(ErrorKind::Config, fmt::format("{}.{} takes a string, not {}",
+                                                           lines_table, action, unfit(node))));
+}
+
+using Refuse = Result<void> (*)(std::string_view, const toml::node&);
+
+/// One `key = value` of the file, given to `apply`, or to `refuse` where no setting takes such a
+/// value.
 Result<void> read_entry(const toml::key& key, const toml::node& node, const std::string& path,
-                        Config& config,
-                        Result<void> (*apply)(Config&, std::string_view, std::string_view))
+                        Config& config, Apply apply, Refuse refuse)
 {
     const auto text = as_text(node);
-    auto result = text ? apply(config, key.str(), *text)
-                       : Result<void>(fail(plain_error(
-                             ErrorKind::Config,
-                             fmt::format("{} takes a string, a number or a boolean", key.str()))));
+    auto result = text ? apply(config, key.str(), *text) : refuse(key.str(), node);
     if (!result)
         result.error().message =
             fmt::format("{}:{}: {}", path, key.source().begin.line, result.error().message);
@@ -447,7 +495,7 @@ Result<void> read_config_text(Config& config, std::string_view text, const std::
                                             parsed.error().description())));
     for (const auto& [key, node] : parsed.table()) {
         if (key.str() != lines_table) {
-            if (auto result = read_entry(key, node, path, config, set); !result)
+            if (auto result = read_entry(key, node, path, config, set, refuse_value); !result)
                 return result;
             continue;
         }
@@ -456,7 +504,8 @@ Result<void> read_config_text(Config& config, std::string_view text, const std::
                                                                    path, key.source().begin.line,
                                                                    lines_table, lines_table)));
         for (const auto& [action, line] : *node.as_table())
-            if (auto result = read_entry(action, line, path, config, set_line); !result)
+            if (auto result = read_entry(action, line, path, config, set_line, refuse_line);
+                !result)
                 return result;
     }
     return {};

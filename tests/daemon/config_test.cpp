@@ -79,6 +79,9 @@ TEST(Config, PlacesOfSerialHosts)
     EXPECT_EQ(std::get<SerialDevice>(device.serial).path, "/dev/ttyUSB0");
     EXPECT_EQ(std::get<SerialDevice>(device.serial).baud, 9600U);
     EXPECT_EQ(std::get<SerialDevice>(with("serial", "/dev/tty@x@1200").serial).path, "/dev/tty@x");
+    const Config home = with("serial", "/home/jane@corp.example/tty");
+    EXPECT_EQ(std::get<SerialDevice>(home.serial).path, "/home/jane@corp.example/tty");
+    EXPECT_EQ(std::get<SerialDevice>(home.serial).baud, 115'200U);
     EXPECT_EQ(std::get<PseudoTerminalLink>(with("serial", "pty:link").serial).link, "link");
     EXPECT_TRUE(std::holds_alternative<NoSerial>(with("serial", "none").serial));
 }
@@ -122,6 +125,10 @@ constexpr std::array refusals = {
     RefusalRow{"serial", "/dev/ttyPS0@", "/dev/TTY[@BAUD]"},
     RefusalRow{"serial", "/dev/ttyPS0@fast", "/dev/TTY[@BAUD]"},
     RefusalRow{"serial", "/dev/ttyPS0@-1", "/dev/TTY[@BAUD]"},
+    RefusalRow{"serial", "/dev/ttyPS0@115200x", "/dev/TTY[@BAUD]"},
+    RefusalRow{"serial", "/dev/ttyUSB0 @115200", "a blank"},
+    RefusalRow{"serial", "/dev/ttyUSB0@ 115200", "/dev/TTY[@BAUD]"},
+    RefusalRow{"serial", "/dev/ttyUSB0 ", "a blank"},
     RefusalRow{"serial", "pty:", "pty:LINK"},
     RefusalRow{"serial", "", "none"},
     RefusalRow{"gpio", "gpiochip0", "lines or none"},
@@ -344,6 +351,37 @@ TEST_F(ConfigFile, ErrorsNameFileAndLine)
     expect_error("replies = [\"all\"]\n", 1, "replies");
     expect_error("serial = \"none\"\nreplies = \n", 2, "");
     expect_error("replies = \"all\"\nreplies = \"all\"\n", 2, "replies");
+}
+
+TEST_F(ConfigFile, ATableThatIsNotThereIsCalledOne)
+{
+    expect_error("replies = \"all\"\n[gpio]\nreset = \"btn0\"\n", 2,
+                 "there is no table [gpio]: gpio is a setting, gpio = VALUE; "
+                 "the only table is [gpio_lines]");
+    expect_error("[lines]\nreset = \"btn0\"\n", 1,
+                 "there is no table [lines] and no setting 'lines'; "
+                 "the only table is [gpio_lines]");
+    expect_error("gpio.lines = 1\n", 1, "there is no table [gpio]");
+    expect_error("[gpio_lines]\n[gpio_lines.reset]\nline = 4\n", 2,
+                 "gpio_lines.reset takes a string, not a table");
+    expect_error("[gpio_lines.buzzer]\nline = 4\n", 1, "unknown action 'buzzer'");
+    expect_error("[[gpio_lines]]\nreset = \"btn0\"\n", 1, "gpio_lines is a table, [gpio_lines]");
+}
+
+TEST_F(ConfigFile, AValueThatNoSettingTakesIsNamed)
+{
+    expect_error("replies = [\"all\"]\n", 1,
+                 "replies takes a string, a whole number or a boolean, "
+                 "not an array");
+    expect_error("emulated_threads = 1.5\n", 1, "not a number with a fraction");
+    expect_error("emulated_threads = inf\n", 1, "emulated_threads takes");
+    expect_error("state = 2026-01-02\n", 1, "not a date or a time");
+    expect_error("state = 07:32:00\n", 1, "not a date or a time");
+    expect_error("colour = [1]\n", 1, "there is no setting 'colour'");
+    expect_error("colour = 1.5\n", 1, "there is no setting 'colour'");
+    expect_error("[[colour]]\nx = 1\n", 1, "there is no setting 'colour'");
+    expect_error("[gpio_lines]\nreset = 1.5\n", 2, "gpio_lines.reset takes a string");
+    expect_error("[gpio_lines]\nbuzzer = [1]\n", 2, "unknown action 'buzzer'");
 }
 
 TEST_F(ConfigFile, AMissingFileIsNamed)
