@@ -2,6 +2,7 @@
 #include "daemon/config.hpp"
 
 #include "daemon/actions.hpp"
+#include "daemon/config_text.hpp"
 #include "daemon/movement.hpp"
 #include "drivers/atomic_file.hpp"
 #include "drivers/tty_name.hpp"
@@ -14,7 +15,6 @@
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
@@ -274,45 +274,6 @@ std::optional<std::string> as_text(const toml::node& node)
     return std::nullopt;
 }
 
-/// `[` or `[[`, and then no name; any other line is none.
-bool is_nameless_header(std::string_view line)
-{
-    const auto skip = [&line](std::string_view signs) {
-        line.remove_prefix(std::min(line.find_first_not_of(signs), line.size()));
-    };
-    skip(" \t");
-    if (!line.starts_with('['))
-        return false;
-    line.remove_prefix(line.starts_with("[[") ? 2 : 1);
-    skip(" \t");
-    const auto is_name = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               c == '_' || c == '-' || c == '"' || c == '\'';
-    };
-    return line.empty() || !is_name(line.front());
-}
-
-/// Over these two toml++ (3.3) does not report an error but fails an assertion of its own, which
-/// would end the program; TOML allows neither.
-Result<void> refuse_what_ends_the_parser(std::string_view text, const std::string& path)
-{
-    const auto is_control = [](char c) {
-        return (static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\r') || c == 0x7F;
-    };
-    for (int number = 1; !text.empty(); ++number) {
-        const std::string_view line = text.substr(0, text.find('\n'));
-        text.remove_prefix(std::min(line.size() + 1, text.size()));
-        const bool has_control = std::ranges::any_of(line, is_control);
-        if (has_control || is_nameless_header(line))
-            return fail(plain_error(
-                ErrorKind::Config,
-                fmt::format("{}:{}: {}", path, number,
-                            has_control ? "there is a control character, which no text has"
-                                        : "the header of a table takes a name, as [gpio_lines]")));
-    }
-    return {};
-}
-
 /// What a value is that no setting takes, for a message; nullptr where settings may take it.
 const char* unfit(const toml::node& node) noexcept
 {
@@ -486,8 +447,9 @@ Result<void> read_config_file(Config& config, const std::string& path)
 
 Result<void> read_config_text(Config& config, std::string_view text, const std::string& path)
 {
-    if (auto plain = refuse_what_ends_the_parser(text, path); !plain)
-        return plain;
+    if (const auto fault = find_text_fault(text))
+        return fail(plain_error(ErrorKind::Config,
+                                fmt::format("{}:{}: {}", path, fault->line, fault->what)));
     const toml::parse_result parsed = toml::parse(text, path);
     if (!parsed)
         return fail(plain_error(ErrorKind::Config,

@@ -98,8 +98,10 @@ bool Panel::wait_for_chip()
                                       back_off_.reset();
                                       retry_->arm({});
                                   });
-    if (!arrivals_)
+    if (loop_.take_problem()) {
+        arrivals_.reset();
         return false;
+    }
     retry_->arm({}); // one may have come since the look
     return true;
 }

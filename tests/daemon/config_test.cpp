@@ -314,10 +314,18 @@ TEST_F(ConfigFile, WhatTheParserFailsOverIsRefused)
                          "header of a table");
     for (const char control : {'\0', '\x01', '\x0B', '\x0C', '\x1B', '\x7F'}) {
         const std::string sign(1, control);
-        for (const std::string& text : {sign, "serial" + sign + " = \"none\"", "[[" + sign,
-                                        "[" + sign + "]", "serial = \"" + sign + "\"", "#" + sign})
+        for (const std::string& text : {sign, "serial" + sign + " = \"none\"", "a" + sign + "[x]",
+                                        "[x" + sign + "]", "serial = \"" + sign + "\"", "#" + sign})
             expect_error("\n" + text, 2, "control character");
     }
+    for (const std::string_view text :
+         {"gr\xC3\xB6\xC3\x9F = 1", "serial = \"none\"\xC2\xA0", "\xEF\xBB\xBF", "\xC2\xA0", "\xFF",
+          "serial = \"a\\\"\" \xC3\xB6"})
+        expect_error("\"a\" = \"\"\"\n\"\"\"\n" + std::string(text) + "\n", 3, "beyond ASCII");
+    EXPECT_TRUE(read("# gr\xC3\xB6\xC3\x9F\nserial = \"pty:gr\xC3\xB6\xC3\x9F\" # \xE2\x82\xAC\n"
+                     "state = 'gr\xC3\xB6\xC3\x9F'\ncontrol = \"\"\"a[!\n[!\"\"\"\n"))
+        << "in strings and comments anything may stand";
+    EXPECT_TRUE(read("\xEF\xBB\xBFserial = \"none\"\n")) << "as some editors begin a file";
     EXPECT_TRUE(read(" [ gpio_lines ] # buttons\r\n\treset = \"btn0\"\r\n"));
     EXPECT_TRUE(read("[\"gpio_lines\"]\n"));
     expect_error("[]\n", 1, "");
