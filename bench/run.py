@@ -16,6 +16,7 @@ from typing import Any
 import board_section
 import command_section
 import engine_section
+import hosts_section
 import terminal_section
 from report import Row, load, print_rows, processor
 
@@ -23,6 +24,7 @@ SECTIONS: dict[str, Callable[[Path, bool], list[Row]]] = {
     "engine": engine_section.rows,
     "command": command_section.rows,
     "terminal": terminal_section.rows,
+    "hosts": hosts_section.rows,
     "board": board_section.rows,
 }
 

@@ -167,7 +167,11 @@ std::string history_file()
     const fs::path folder = state != nullptr ? fs::path(state) : fs::path(home) / ".local/state";
     std::error_code ignored;
     fs::create_directories(folder, ignored);
-    return folder / "raymarchctl_history";
+    const fs::path history = folder / "raymarchctl_history";
+    const fs::file_status there = fs::status(history, ignored);
+    if (fs::exists(there) && !fs::is_regular_file(there)) // libedit would wait for a FIFO
+        return {};
+    return history;
 }
 
 int converse(const Endpoint& endpoint)

@@ -35,11 +35,11 @@ class Encoder
         , state_(initial_)
     {}
 
-    /// The reply to one line; empty for a blank one.
+    /// The reply to one line; empty for a line that has none.
     std::string_view reply_to(const Line& line)
     {
         const Request request = read_request(line, false);
-        if (request.kind == Request::Kind::Blank)
+        if (!request.answered())
             return {};
         reply_.begin(request.checksummed);
         if (const auto fault = encode(request)) {

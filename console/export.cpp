@@ -7,9 +7,9 @@
 #include "console/subcommands.hpp"
 #include "console/view_options.hpp"
 #include "console/words.hpp"
-#include "drivers/atomic_file.hpp"
 #include "drivers/packet_socket.hpp"
 #include "drivers/pcap_file.hpp"
+#include "drivers/user_file.hpp"
 #include "engine/draw.hpp"
 #include "engine/models.hpp"
 #include "pictures/netpbm.hpp"
@@ -54,7 +54,7 @@ Result<void> write_capture(const protocol::GreyPicture& picture, const std::stri
     drivers::PcapWriter writer;
     for (std::size_t i = 0; i < protocol::export_frames; ++i)
         writer.add(protocol::frame_of(picture, i).bytes(), duration_of(protocol::first_clock(i)));
-    return drivers::replace_file(path, writer.bytes(), drivers::Durability::BestEffort);
+    return drivers::write_output(path, writer.bytes());
 }
 
 Result<void> send_frames(const protocol::GreyPicture& picture, drivers::FramePort& port, Pace pace)
@@ -76,10 +76,10 @@ Result<protocol::GreyPicture> read_picture(const std::string& path)
 {
     constexpr std::size_t most_bytes = 64 << 20;
     const auto in_file = [&path](Error error) {
-        error.message = path + ": " + error.message;
+        error.message = drivers::input_name(path) + ": " + error.message;
         return fail(std::move(error));
     };
-    const auto bytes = drivers::read_file(path, most_bytes);
+    const auto bytes = drivers::read_input(path, most_bytes);
     if (!bytes)
         return fail(bytes.error());
     const auto image = pictures::decode_netpbm(*bytes);
@@ -121,6 +121,9 @@ Result<void> export_picture(const protocol::GreyPicture& picture, const Options&
 
 Result<void> run_export(const Options& options)
 {
+    if (!options.capture.empty())
+        if (auto possible = drivers::check_output(options.capture); !possible)
+            return possible; // before the work, not after it
     const auto picture = options.input ? read_picture(*options.input) : draw_picture(options);
     if (!picture)
         return fail(picture.error());
@@ -138,7 +141,8 @@ void add_export(CLI::App& app, Run& run)
     CLI::Option* const interface =
         where->add_option("--interface", options->interface, "a network interface; CAP_NET_RAW")
             ->type_name("IF");
-    where->add_option("--pcap", options->capture, "a capture file")->type_name("FILE");
+    where->add_option("--pcap", options->capture, "a capture file; - is standard output")
+        ->type_name("FILE");
     where->require_option(1);
     options->view.accelerator = protocol::fractal::description.name; // whose export it is
     CLI::Option_group& what = add_view_options(*command, options->view);
@@ -146,7 +150,8 @@ void add_export(CLI::App& app, Run& run)
     what.require_option(1);
     CLI::Option* const threads = add_threads_option(*command, options->threads);
     what.add_option("--input", options->input,
-                    "no view but this picture, pgm or ppm, levels times 17 or of 15")
+                    "no view but this picture, pgm or ppm, levels times 17 or of 15; - is "
+                    "standard input")
         ->type_name("FILE")
         ->excludes(command->get_option("--accelerator"), command->get_option("--size"), threads);
     command

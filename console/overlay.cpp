@@ -63,6 +63,16 @@ void print_unbound(const std::vector<drivers::InterruptHolder>& holders)
         fmt::print("unbound {} from its driver: the interrupt is the overlay's now\n", names);
 }
 
+/// It is loaded all the same: the open tools make no others.
+void warn_of_unchecked(const drivers::LogicFiles& files)
+{
+    const auto bitstream =
+        drivers::parse_bitstream(drivers::as_bytes(files.bitstream), files.bitstream_name);
+    if (bitstream && !bitstream->checked)
+        warn(files.bitstream_name + ": the bitstream carries no check of its contents, so damage "
+                                    "to them cannot be seen");
+}
+
 int load(const Options& options)
 {
     KernelTree tree(options.root);
@@ -79,6 +89,7 @@ int load(const Options& options)
         return report(overlay.error());
     files.bitstream = std::move(*bitstream);
     files.overlay = std::move(*overlay);
+    warn_of_unchecked(files);
     const auto unbound = drivers::load_logic(tree, files);
     if (!unbound)
         return report(unbound.error());

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "console/picture_output.hpp"
 
-#include "drivers/atomic_file.hpp"
+#include "drivers/user_file.hpp"
 #include "pictures/picture_file.hpp"
-
-#include <cstdio>
 
 namespace raymarch::console
 {
+
+Result<void> check_picture_output(const std::string& path)
+{
+    if (const auto format = pictures::format_of(path); !format)
+        return fail(format.error());
+    return drivers::check_output(path);
+}
 
 Result<void> write_picture(const engine::Image& image, const std::string& path)
 {
@@ -17,12 +22,7 @@ Result<void> write_picture(const engine::Image& image, const std::string& path)
     const auto bytes = pictures::encode(image, *format);
     if (!bytes)
         return fail(bytes.error());
-    if (path != "-")
-        return drivers::replace_file(path, *bytes, drivers::Durability::BestEffort);
-    if (std::fwrite(bytes->data(), 1, bytes->size(), stdout) != bytes->size() ||
-        std::fflush(stdout) != 0)
-        return fail(errno_error(ErrorKind::InputOutput, "write", "standard output"));
-    return {};
+    return drivers::write_output(path, *bytes);
 }
 
 } // namespace raymarch::console

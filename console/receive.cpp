@@ -7,7 +7,7 @@
 #include "drivers/atomic_file.hpp"
 #include "drivers/packet_socket.hpp"
 #include "drivers/pcap_file.hpp"
-#include "pictures/picture_file.hpp"
+#include "drivers/user_file.hpp"
 #include "protocol/picture_frames.hpp"
 
 #include <fmt/format.h>
@@ -37,14 +37,15 @@ struct Options
     bool partial = false;
 };
 
-/// Up to the first whole picture, or to the end of the file.
-Result<void> take_capture(PictureAssembler& assembler, const std::string& path)
+/// Up to the first whole picture, or to the end of the file. `cut` counts the damaged frames of
+/// which the capture kept only a part.
+Result<void> take_capture(PictureAssembler& assembler, const std::string& path, std::size_t& cut)
 {
     constexpr std::size_t most_bytes = 64 << 20;
-    const auto bytes = drivers::read_file(path, most_bytes);
+    const auto bytes = drivers::read_input(path, most_bytes);
     if (!bytes)
         return fail(bytes.error());
-    auto reader = drivers::PcapReader::open(drivers::as_bytes(*bytes), path);
+    auto reader = drivers::PcapReader::open(drivers::as_bytes(*bytes), drivers::input_name(path));
     if (!reader)
         return fail(reader.error());
     while (!assembler.settled()) {
@@ -53,7 +54,8 @@ Result<void> take_capture(PictureAssembler& assembler, const std::string& path)
             return fail(record.error());
         if (!*record)
             break;
-        assembler.take((*record)->frame);
+        const FrameFate fate = assembler.take((*record)->frame);
+        cut += fate == FrameFate::Damaged && (*record)->cut ? 1 : 0;
     }
     return {};
 }
@@ -78,10 +80,10 @@ Result<void> take_from(PictureAssembler& assembler, drivers::FramePort& port,
     return {};
 }
 
-Result<void> take_picture(PictureAssembler& assembler, const Options& options)
+Result<void> take_picture(PictureAssembler& assembler, const Options& options, std::size_t& cut)
 {
     if (!options.capture.empty())
-        return take_capture(assembler, options.capture);
+        return take_capture(assembler, options.capture, cut);
     auto port = drivers::PacketSocket::open(options.interface);
     if (!port)
         return fail(port.error());
@@ -105,12 +107,12 @@ std::string as_ranges(const std::vector<std::size_t>& rising)
     return text;
 }
 
-Error incomplete(const PictureAssembler& assembler, const Options& options)
+Error incomplete(const PictureAssembler& assembler, const Options& options, std::size_t cut)
 {
     const bool from_file = !options.capture.empty();
     const auto missing = assembler.missing_rows();
     std::string text =
-        from_file ? options.capture
+        from_file ? drivers::input_name(options.capture)
                   : fmt::format("{}: within {} seconds", options.interface, options.seconds);
     text += missing.size() == protocol::export_size.height
                 ? std::string(": no row of a picture")
@@ -118,6 +120,10 @@ Error incomplete(const PictureAssembler& assembler, const Options& options)
                               as_ranges(missing));
     if (const std::size_t damaged = assembler.count(FrameFate::Damaged); damaged > 0)
         text += fmt::format("; damaged frames: {}", damaged);
+    if (cut > 0)
+        text += fmt::format(", {} of them because the capture kept only their beginning (its snap "
+                            "length is too small)",
+                            cut);
     return plain_error(from_file ? ErrorKind::BadData : ErrorKind::InputOutput, std::move(text));
 }
 
@@ -135,10 +141,11 @@ void print_notes(const PictureAssembler& assembler)
 
 Result<void> receive(const Options& options)
 {
-    if (const auto format = pictures::format_of(options.output); !format)
-        return fail(format.error()); // before the work, not after it
+    if (auto possible = check_picture_output(options.output); !possible)
+        return possible;
     PictureAssembler assembler;
-    const auto taken = take_picture(assembler, options);
+    std::size_t cut = 0;
+    const auto taken = take_picture(assembler, options, cut);
     if (assembler.complete()) {
         print_notes(assembler);
         return write_picture(image_of(assembler.picture()), options.output);
@@ -147,7 +154,7 @@ Result<void> receive(const Options& options)
     if (options.partial && any)
         if (auto written = write_picture(image_of(assembler.picture()), options.output); !written)
             return written;
-    return fail(taken ? incomplete(assembler, options) : taken.error());
+    return fail(taken ? incomplete(assembler, options, cut) : taken.error());
 }
 
 } // namespace
@@ -161,7 +168,8 @@ void add_receive(CLI::App& app, Run& run)
     CLI::Option* const interface =
         where->add_option("--interface", options->interface, "a network interface; CAP_NET_RAW")
             ->type_name("IF");
-    where->add_option("--pcap", options->capture, "a capture file")->type_name("FILE");
+    where->add_option("--pcap", options->capture, "a capture file; - is standard input")
+        ->type_name("FILE");
     where->require_option(1);
     command
         ->add_option("-o,--output", options->output,

@@ -7,7 +7,6 @@
 #include "console/view_options.hpp"
 #include "console/words.hpp"
 #include "engine/models.hpp"
-#include "pictures/picture_file.hpp"
 #include "protocol/picture_size.hpp"
 
 #include <fmt/format.h>
@@ -60,8 +59,8 @@ Result<void> render(const Options& options)
     const auto accelerator = accelerator_named(options.view.accelerator);
     if (!accelerator)
         return fail(accelerator.error());
-    if (const auto format = pictures::format_of(options.output); !format)
-        return fail(format.error()); // before the work, not after it
+    if (auto possible = check_picture_output(options.output); !possible)
+        return possible;
     const auto size = size_of(**accelerator, options.view);
     if (!size)
         return fail(size.error());

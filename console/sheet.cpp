@@ -9,7 +9,6 @@
 #include "console/words.hpp"
 #include "engine/draw.hpp"
 #include "engine/models.hpp"
-#include "pictures/picture_file.hpp"
 #include "protocol/accelerators.hpp"
 
 #include <fmt/format.h>
@@ -76,8 +75,8 @@ Result<std::vector<std::string>> views_of(const Options& options)
 
 Result<void> draw_sheet(const Options& options)
 {
-    if (const auto format = pictures::format_of(options.output); !format)
-        return fail(format.error()); // before the work, not after it
+    if (auto possible = check_picture_output(options.output); !possible)
+        return possible;
     const auto views = views_of(options);
     if (!views)
         return fail(views.error());

@@ -30,7 +30,7 @@ Result<protocol::State> state_of_line(const protocol::Accelerator& accelerator,
 {
     const bool too_long = text.size() > protocol::max_line_length;
     const protocol::Request request = protocol::read_request(
-        {.bytes = too_long ? std::string_view() : text, .too_long = too_long}, false);
+        {.bytes = text.substr(0, protocol::max_line_length), .too_long = too_long}, false);
     if (request.kind == protocol::Request::Kind::Faulty)
         return fail(refused(accelerator, request.fault));
     if (request.kind != protocol::Request::Kind::Frame)

@@ -10,7 +10,6 @@
 #include "engine/draw.hpp"
 #include "engine/models.hpp"
 #include "motion/mandelbulb.hpp"
-#include "pictures/picture_file.hpp"
 #include "pictures/sheet.hpp"
 #include "protocol/accelerators/mandelbulb.hpp"
 #include "protocol/picture_size.hpp"
@@ -115,8 +114,8 @@ Result<engine::Image> draw_column(const Column& column, const protocol::State& s
 Result<void> zoom(const Options& options)
 {
     if (!options.output.empty())
-        if (const auto format = pictures::format_of(options.output); !format)
-            return fail(format.error()); // before the work, not after it
+        if (auto possible = check_picture_output(options.output); !possible)
+            return possible;
     const auto size = protocol::parse_size(options.size, table::description.max_size);
     if (!size)
         return fail(plain_error(ErrorKind::Usage,

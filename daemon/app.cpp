@@ -17,6 +17,8 @@ namespace raymarch::daemon
 namespace
 {
 
+constexpr std::chrono::milliseconds patience_at_the_end{100};
+
 Policy policy_of(const Config& config) noexcept
 {
     return {config.basis_check, config.replies, config.require_checksum};
@@ -43,13 +45,14 @@ App::App(Config config, Reload reload, EventLoop& loop)
     : loop_(loop)
     , config_(std::move(config))
     , reload_(std::move(reload))
-    , persistence_(config_.state, loop)
+    , stored_(loop, [this] { hosts_->resume(); })
+    , store_(config_.state, [this] { stored_.notify(); })
     , animate_timer_(loop.add_timer([this] { animate(); }))
     , hardware_(config_, loop, [this] { controller_.board_is_back(hardware_.accelerator()); })
-    , controller_(*config_.accelerator, policy_of(config_), hardware_, persistence_, *this,
-                  random_seed())
-    , panel_(config_.gpio, loop, controller_, hardware_, drivers::open_gpio_line)
-    , hosts_(config_, loop, controller_)
+    , controller_(*config_.accelerator, policy_of(config_), hardware_, store_, *this, random_seed())
+    , panel_(std::in_place, config_.gpio, loop, controller_, hardware_, drivers::open_gpio_line)
+    , turns_(loop)
+    , hosts_(std::in_place, config_, loop, turns_, controller_)
 {
     controller_.on_animate([this](unsigned rate) {
         const bool running = std::exchange(animate_rate_, rate) > 0;
@@ -69,15 +72,17 @@ Result<void> App::run()
             loop_.take_problem()) // timers and signals are what all else is built on
         return fail(*problem);
 
+    if (auto locked = store_.lock(); !locked)
+        return locked;
     // Before the hardware, which asks for the state as soon as it is found.
-    persistence_.read();
-    if (const auto state = persistence_.last(controller_.accelerator()))
+    store_.read();
+    if (const auto state = store_.last(controller_.accelerator()))
         static_cast<void>(controller_.restore(*state)); // the board comes later
     if (auto started = hardware_.start(); !started)
         return started;
-    hosts_.open_serial();
-    panel_.start();
-    hosts_.open_control();
+    hosts_->open_serial();
+    panel_->start();
+    hosts_->open_control();
     if (loop_.feed_watchdog())
         log::info("the watchdog is fed from the event loop");
     sd_notify(0, "READY=1");
@@ -85,7 +90,11 @@ Result<void> App::run()
 
     auto result = loop_.run();
     sd_notify(0, "STOPPING=1");
-    persistence_.flush();
+    // What others see ends in any case; what is being drawn is not waited for.
+    hosts_.reset();
+    panel_.reset();
+    store_.finish();
+    drawing_has_ended_ = hardware_.end_drawing(patience_at_the_end);
     return result;
 }
 
@@ -124,13 +133,13 @@ void App::write_status(protocol::ReplyWriter& reply)
     const auto uptime = std::chrono::duration_cast<std::chrono::seconds>(
         std::chrono::steady_clock::now() - started_);
 
-    hosts_.write_serial_status(reply);
+    hosts_->write_serial_status(reply);
     hardware_.write_status(reply);
-    panel_.write_status(reply);
+    panel_->write_status(reply);
     const drivers::KernelTree tree(config_.sysfs_root);
     reply << " logic=" << logic_state(tree)
           << " overlay=" << to_text(overlay_state(tree, drivers::overlay_name));
-    hosts_.write_client_status(reply);
+    hosts_->write_client_status(reply);
     reply << " uptime=" << static_cast<std::uint64_t>(uptime.count());
 }
 

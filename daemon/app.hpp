@@ -10,11 +10,14 @@
 #include "daemon/hardware.hpp"
 #include "daemon/hosts.hpp"
 #include "daemon/panel.hpp"
-#include "daemon/persistence.hpp"
+#include "daemon/state_store.hpp"
+#include "daemon/turns.hpp"
+#include "daemon/wake_up.hpp"
 
 #include <chrono>
 #include <functional>
 #include <list>
+#include <optional>
 
 namespace raymarch::daemon
 {
@@ -32,6 +35,9 @@ class App final : public StatusSource
 
     /// Runs until SIGTERM or SIGINT; those and SIGHUP must be blocked. Errors: the event loop's.
     [[nodiscard]] Result<void> run();
+    /// After run(): whether nothing is drawn any more. A picture can take seconds that nobody has,
+    /// so a process in which something is still drawn had better end without the destructors.
+    [[nodiscard]] bool drawing_has_ended() const noexcept { return drawing_has_ended_; }
 
     // StatusSource
     void write_status(protocol::ReplyWriter& reply) override;
@@ -45,19 +51,22 @@ class App final : public StatusSource
     Reload reload_;
     const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 
-    Persistence persistence_;
+    WakeUp stored_;    ///< when the disk has answered
+    StateStore store_; ///< borrows stored_
 
     Source animate_timer_;
     unsigned animate_rate_ = 0; ///< steps a second
 
     Hardware hardware_;
-    Controller controller_; ///< borrows hardware_, persistence_ and, as StatusSource, the App
+    Controller controller_; ///< borrows hardware_, store_ and, as StatusSource, the App
 
-    Panel panel_; ///< borrows controller_ and hardware_
+    std::optional<Panel> panel_; ///< borrows controller_ and hardware_
 
-    Hosts hosts_; ///< borrows controller_
+    Turns turns_;
+    std::optional<Hosts> hosts_; ///< borrows controller_ and turns_
 
     std::list<Source> signals_;
+    bool drawing_has_ended_ = true;
 };
 
 } // namespace raymarch::daemon

@@ -14,6 +14,7 @@
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
@@ -278,6 +279,45 @@ std::optional<std::string> as_text(const toml::node& node)
     return std::nullopt;
 }
 
+/// `[` or `[[`, and then no name; any other line is none.
+bool is_nameless_header(std::string_view line)
+{
+    const auto skip = [&line](std::string_view signs) {
+        line.remove_prefix(std::min(line.find_first_not_of(signs), line.size()));
+    };
+    skip(" \t");
+    if (!line.starts_with('['))
+        return false;
+    line.remove_prefix(line.starts_with("[[") ? 2 : 1);
+    skip(" \t");
+    const auto is_name = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '_' || c == '-' || c == '"' || c == '\'';
+    };
+    return line.empty() || !is_name(line.front());
+}
+
+/// Over these two toml++ (3.3) does not report an error but fails an assertion of its own, which
+/// would end the program; TOML allows neither.
+Result<void> refuse_what_ends_the_parser(std::string_view text, const std::string& path)
+{
+    const auto is_control = [](char c) {
+        return (static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\r') || c == 0x7F;
+    };
+    for (int number = 1; !text.empty(); ++number) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        const bool has_control = std::ranges::any_of(line, is_control);
+        if (has_control || is_nameless_header(line))
+            return fail(plain_error(
+                ErrorKind::Config,
+                fmt::format("{}:{}: {}", path, number,
+                            has_control ? "there is a control character, which no text has"
+                                        : "the header of a table takes a name, as [gpio_lines]")));
+    }
+    return {};
+}
+
 /// One `key = value` of the file, given to `apply`.
 Result<void> read_entry(const toml::key& key, const toml::node& node, const std::string& path,
                         Config& config,
@@ -393,7 +433,14 @@ Result<void> read_config_file(Config& config, const std::string& path)
     const auto content = drivers::read_file(path, largest_config_file);
     if (!content)
         return fail(plain_error(ErrorKind::Config, content.error().message));
-    const toml::parse_result parsed = toml::parse(*content, path);
+    return read_config_text(config, *content, path);
+}
+
+Result<void> read_config_text(Config& config, std::string_view text, const std::string& path)
+{
+    if (auto plain = refuse_what_ends_the_parser(text, path); !plain)
+        return plain;
+    const toml::parse_result parsed = toml::parse(text, path);
     if (!parsed)
         return fail(plain_error(ErrorKind::Config,
                                 fmt::format("{}:{}: {}", path, parsed.error().source().begin.line,

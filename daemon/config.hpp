@@ -118,6 +118,10 @@ inline constexpr std::string_view line_values = drivers::line_spec_syntax;
 /// Applies a TOML file. Errors: Config, with file and line; an unknown key is one.
 [[nodiscard]] Result<void> read_config_file(Config& config, const std::string& path);
 
+/// The same of what the file holds; `path` is for messages.
+[[nodiscard]] Result<void> read_config_text(Config& config, std::string_view text,
+                                            const std::string& path);
+
 /// The file that is read when it exists and no other is named.
 inline constexpr const char* default_config_path = "/etc/raymarchd.toml";
 

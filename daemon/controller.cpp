@@ -8,6 +8,7 @@
 #include "protocol/views.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace raymarch::daemon
 {
@@ -60,18 +61,42 @@ Controller::Controller(const Accelerator& accelerator, Policy policy, Board& boa
     , words_(pack(accelerator, state_))
 {}
 
-std::string_view Controller::execute(const Line& line, SessionSettings& session)
+std::string_view Controller::execute(const Line& line, SessionSettings& session, Unfinished& rest,
+                                     const TurnIsOver& turn_is_over)
 {
     const Request request = read_request(line, policy_.require_checksum);
-    if (request.kind == Request::Kind::Blank)
+    echoed_ += request.kind == Request::Kind::Reply ? 1 : 0;
+    if (!request.answered())
         return {};
     reply_.begin(request.checksummed);
-    const Outcome fault = dispatch(request, session);
-    if (writes(request) || request.kind == Request::Kind::Faulty)
+    const Outcome fault = dispatch(request, session, rest, turn_is_over);
+    if (rest.any()) {
+        rest.checksummed_ = request.checksummed;
+        return {};
+    }
+    return settle(fault, writes(request) || request.kind == Request::Kind::Faulty,
+                  request.checksummed);
+}
+
+std::string_view Controller::resume(Unfinished& rest, const TurnIsOver& turn_is_over)
+{
+    const bool checksummed = rest.checksummed_;
+    const auto* const stored = std::get_if<Unfinished::Stored>(&rest.what_);
+    const bool writes = stored == nullptr || stored->command == CommandId::Load;
+    reply_.begin(checksummed);
+    const Outcome fault = go_on(rest, turn_is_over);
+    if (rest.any())
+        return {};
+    return settle(fault, writes, checksummed);
+}
+
+std::string_view Controller::settle(const Outcome& fault, bool writes, bool checksummed)
+{
+    if (writes)
         last_refused_ = fault.has_value();
     if (fault) {
         ++rejected_[static_cast<std::size_t>(fault->code)];
-        reply_.begin(request.checksummed); // without what was written before the fault was found
+        reply_.begin(checksummed); // without what was written before the fault was found
         write_fault(reply_, *accelerator_, *fault);
     }
     const bool wanted = policy_.replies == Replies::All ||
@@ -81,8 +106,7 @@ std::string_view Controller::execute(const Line& line, SessionSettings& session)
 
 bool Controller::restore(const State& state)
 {
-    state_ = state;
-    words_ = pack(*accelerator_, state);
+    hold(state, pack(*accelerator_, state));
     const Applied applied = board_.apply(words_);
     return applied == Applied::Written || applied == Applied::Deferred;
 }
@@ -94,7 +118,8 @@ void Controller::board_is_back(const Accelerator& accelerator)
     static_cast<void>(restore(state_)); // the board itself reports what it does not take
 }
 
-Controller::Outcome Controller::dispatch(const Request& request, SessionSettings& session)
+Controller::Outcome Controller::dispatch(const Request& request, SessionSettings& session,
+                                         Unfinished& rest, const TurnIsOver& turn_is_over)
 {
     if (request.kind == Request::Kind::Faulty)
         return request.fault;
@@ -103,7 +128,7 @@ Controller::Outcome Controller::dispatch(const Request& request, SessionSettings
     if (request.kind == Request::Kind::Command) {
         if (auto fault = check_arity(request))
             return fault;
-        return run(request, session);
+        return run(request, session, rest, turn_is_over);
     }
 
     State state = state_;
@@ -112,7 +137,8 @@ Controller::Outcome Controller::dispatch(const Request& request, SessionSettings
     return apply(state);
 }
 
-Controller::Outcome Controller::run(const Request& request, SessionSettings& session)
+Controller::Outcome Controller::run(const Request& request, SessionSettings& session,
+                                    Unfinished& rest, const TurnIsOver& turn_is_over)
 {
     State state = state_;
     std::string_view group_name;
@@ -150,20 +176,19 @@ Controller::Outcome Controller::run(const Request& request, SessionSettings& ses
     case CommandId::Preset:
         return preset(request.text);
     case CommandId::Save:
-        if (!storage_.save(*accelerator_, state_))
-            return Fault{.code = ErrorCode::Storage};
-        ok();
-        return std::nullopt;
+        rest.what_ = Unfinished::Stored{request.command->id, accelerator_,
+                                        storage_.save(*accelerator_, state_)};
+        return go_on(rest, turn_is_over);
     case CommandId::Load:
-        if (const auto loaded = storage_.load(*accelerator_))
-            return apply(*loaded);
-        return Fault{.code = ErrorCode::Storage};
+        rest.what_ =
+            Unfinished::Stored{request.command->id, accelerator_, storage_.load(*accelerator_)};
+        return go_on(rest, turn_is_over);
     case CommandId::Accelerator:
         return switch_accelerator(request.text);
     case CommandId::Walk:
-        return move(read_walk(request.text));
+        return move(read_walk(request.text), rest, turn_is_over);
     case CommandId::Turn:
-        return move(read_turn(request.text));
+        return move(read_turn(request.text), rest, turn_is_over);
     case CommandId::Animate:
         return animate_at(request.text);
     case CommandId::Echo:
@@ -186,6 +211,11 @@ Controller::Outcome Controller::run(const Request& request, SessionSettings& ses
 
 Controller::Outcome Controller::apply(const State& state)
 {
+    return apply(state, words_);
+}
+
+Controller::Outcome Controller::apply(const State& state, const Words& before)
+{
     const bool orthonormal =
         policy_.basis_check == BasisCheck::Off || basis_is_orthonormal(*accelerator_, state);
     if (!orthonormal && policy_.basis_check == BasisCheck::Reject)
@@ -197,17 +227,23 @@ Controller::Outcome Controller::apply(const State& state)
 
     std::uint64_t changed = 0;
     for (std::size_t i = 0; i < accelerator_->word_count; ++i)
-        changed += words[i] != words_[i] ? 1 : 0;
+        changed += words[i] != before[i] ? 1 : 0;
     if (!(state == state_))
         storage_.changed(*accelerator_, state);
-    state_ = state;
-    words_ = words;
+    hold(state, words);
     ++applied_;
     reply_ << "OK seq=" << applied_ << " changed=" << changed;
     if (!orthonormal)
         reply_ << " warn=" << error_row(ErrorCode::Basis).name;
     reply_.end_line();
     return std::nullopt;
+}
+
+void Controller::hold(const State& state, const Words& words)
+{
+    changes_ += state == state_ ? 0 : 1;
+    state_ = state;
+    words_ = words;
 }
 
 Controller::Outcome Controller::assign(Text words)
@@ -274,6 +310,7 @@ void Controller::recall(const Accelerator& accelerator)
 {
     accelerator_ = &accelerator;
     preset_.reset();
+    ++changes_;
     state_ = storage_.last(accelerator).value_or(initial_state(accelerator));
     words_ = pack(accelerator, state_);
 }
@@ -297,13 +334,85 @@ Controller::Outcome Controller::switch_accelerator(Text words)
     return std::nullopt;
 }
 
-Controller::Outcome Controller::move(const tl::expected<Steps, Fault>& steps)
+Controller::Outcome Controller::go_on(Unfinished& rest, const TurnIsOver& turn_is_over)
+{
+    if (std::holds_alternative<Unfinished::Moving>(rest.what_))
+        return move_on(rest, turn_is_over);
+    if (rest.any() && !rest.waits())
+        return take_stored(rest);
+    return std::nullopt;
+}
+
+/// The disk is done.
+Controller::Outcome Controller::take_stored(Unfinished& rest)
+{
+    auto stored = std::get<Unfinished::Stored>(std::exchange(rest.what_, std::monostate()));
+    const std::optional<State> state = stored.state.get();
+    if (!state)
+        return Fault{.code = ErrorCode::Storage};
+    if (stored.command == CommandId::Save) {
+        ok();
+        return std::nullopt;
+    }
+    if (auto fault = may_go_on(*stored.accelerator))
+        return fault;
+    return apply(*state);
+}
+
+/// Whether a line that writes, and that came for this accelerator, may still do so.
+Controller::Outcome Controller::may_go_on(const Accelerator& accelerator) const
+{
+    if (&accelerator != accelerator_)
+        return Fault{.code = ErrorCode::Busy,
+                     .allowed = "another host has switched the accelerator meanwhile"};
+    if (locked_)
+        return Fault{.code = ErrorCode::Locked};
+    return std::nullopt;
+}
+
+Controller::Outcome Controller::move(const tl::expected<Steps, Fault>& steps, Unfinished& rest,
+                                     const TurnIsOver& turn_is_over)
 {
     if (!steps)
         return steps.error();
-    State state = state_;
-    movement_.move(*accelerator_, state, *steps);
-    return apply(state);
+    rest.what_.emplace<Unfinished::Moving>(Unfinished::Moving{.accelerator = accelerator_,
+                                                              .asked = *steps,
+                                                              .left = *steps,
+                                                              .change = changes_,
+                                                              .state = state_,
+                                                              .before = words_,
+                                                              .movement = std::move(movement_)});
+    return move_on(rest, turn_is_over);
+}
+
+/// While nobody else changes the state, it changes once, after the last step. Otherwise the steps
+/// that nobody has seen are made again, from where the others left the state, and every piece that
+/// follows is applied at once: what they do and what this line does both count, in some order.
+Controller::Outcome Controller::move_on(Unfinished& rest, const TurnIsOver& turn_is_over)
+{
+    auto& moving = std::get<Unfinished::Moving>(rest.what_);
+    if (auto fault = may_go_on(*moving.accelerator)) {
+        rest.what_ = std::monostate();
+        return fault;
+    }
+    if (moving.change != changes_) {
+        moving.state = state_;
+        moving.left = moving.asked;
+        moving.disturbed = true;
+    }
+    moving.movement.move(*accelerator_, moving.state, moving.left, turn_is_over);
+    if (moving.left.count > 0 && moving.disturbed && !put(moving.state)) {
+        rest.what_ = std::monostate();
+        return Fault{.code = ErrorCode::Hardware};
+    }
+    moving.change = changes_;
+    if (moving.disturbed)
+        moving.asked = moving.left;
+    if (moving.left.count > 0)
+        return std::nullopt;
+    auto done = std::get<Unfinished::Moving>(std::exchange(rest.what_, std::monostate()));
+    movement_ = std::move(done.movement);
+    return apply(done.state, done.before);
 }
 
 Controller::Outcome Controller::animate_at(Text words)
@@ -323,7 +432,7 @@ void Controller::animate()
     if (locked_)
         return;
     State state = state_;
-    movement_.move(*accelerator_, state, {.inputs = motion::Input::Animate});
+    movement_.animate(*accelerator_, state);
     if (!(state == state_))
         put(state);
 }
@@ -359,8 +468,7 @@ bool Controller::put(const State& state)
         return false; // as a line would be refused: the next step begins where this one did
     if (!(state == state_))
         storage_.changed(*accelerator_, state);
-    state_ = state;
-    words_ = words;
+    hold(state, words);
     return true;
 }
 
@@ -400,7 +508,7 @@ void Controller::status()
     reply_ << "OK accelerator=" << accelerator_->name;
     status_.write_status(reply_);
     reply_ << " animate=" << std::uint64_t{rate_} << " locked=" << (locked_ ? "on" : "off")
-           << " applied=" << applied_ << " rejected=" << rejected;
+           << " applied=" << applied_ << " rejected=" << rejected << " echoed=" << echoed_;
     for (const ErrorRow& row : errors)
         if (const std::uint64_t count = rejected_[static_cast<std::size_t>(row.code)]; count > 0)
             reply_ << " rejected." << row.name << '=' << count;

@@ -9,6 +9,7 @@
 #include "daemon/config.hpp"
 #include "daemon/movement.hpp"
 #include "daemon/register_path.hpp"
+#include "daemon/unfinished.hpp"
 #include "protocol/line_reader.hpp"
 #include "protocol/registers.hpp"
 #include "protocol/reply.hpp"
@@ -54,10 +55,11 @@ class Storage
     virtual ~Storage() = default;
     /// The state has changed; it is to be kept soon.
     virtual void changed(const Accelerator& accelerator, const State& state) = 0;
-    /// Keeps it now, and puts it aside for load(). False when that cannot be done.
-    [[nodiscard]] virtual bool save(const Accelerator& accelerator, const State& state) = 0;
-    /// What was put aside last.
-    [[nodiscard]] virtual std::optional<State> load(const Accelerator& accelerator) = 0;
+    /// Keeps it, and puts it aside for load(): that same state when the disk has it, or nothing
+    /// when that cannot be done.
+    [[nodiscard]] virtual StoredState save(const Accelerator& accelerator, const State& state) = 0;
+    /// The state that was put aside last; nothing when there is none.
+    [[nodiscard]] virtual StoredState load(const Accelerator& accelerator) = 0;
     /// What was there last.
     [[nodiscard]] virtual std::optional<State> last(const Accelerator& accelerator) = 0;
 };
@@ -90,8 +92,12 @@ class Controller
     Controller(const protocol::Accelerator& accelerator, Policy policy, Board& board,
                Storage& storage, StatusSource& status, std::uint64_t random_seed);
 
-    /// Executes one line. The reply, which may be empty, is valid until the next call.
-    [[nodiscard]] std::string_view execute(const protocol::Line& line, SessionSettings& session);
+    /// Executes one line. The reply, which may be empty, is valid until the next call. When `rest`
+    /// is not empty afterwards, the reply comes from resume().
+    [[nodiscard]] std::string_view execute(const protocol::Line& line, SessionSettings& session,
+                                           Unfinished& rest, const TurnIsOver& turn_is_over);
+    /// Goes on with a line: its reply, or nothing while `rest` is still not empty.
+    [[nodiscard]] std::string_view resume(Unfinished& rest, const TurnIsOver& turn_is_over);
 
     /// Makes `state` the present one without a line: at start, or from a button. False when the
     /// board did not take it; the state is kept all the same, for a board that comes later.
@@ -126,16 +132,29 @@ class Controller
 
   private:
     using Outcome = std::optional<protocol::Fault>;
-    [[nodiscard]] Outcome dispatch(const protocol::Request& request, SessionSettings& session);
-    [[nodiscard]] Outcome run(const protocol::Request& request, SessionSettings& session);
+    [[nodiscard]] Outcome dispatch(const protocol::Request& request, SessionSettings& session,
+                                   Unfinished& rest, const TurnIsOver& turn_is_over);
+    [[nodiscard]] Outcome run(const protocol::Request& request, SessionSettings& session,
+                              Unfinished& rest, const TurnIsOver& turn_is_over);
+    [[nodiscard]] Outcome go_on(Unfinished& rest, const TurnIsOver& turn_is_over);
+    /// The reply for an outcome, as far as the policy wants one.
+    [[nodiscard]] std::string_view settle(const Outcome& fault, bool writes, bool checksummed);
     [[nodiscard]] Outcome apply(const protocol::State& state);
+    /// `before`: the words that `changed=` counts from.
+    [[nodiscard]] Outcome apply(const protocol::State& state, const protocol::Words& before);
+    /// Makes a state that the board has taken the present one.
+    void hold(const protocol::State& state, const protocol::Words& words);
     /// Without a line, and so without a reply and a number. False when the board does not take it.
     bool put(const protocol::State& state);
     [[nodiscard]] Outcome assign(protocol::Text words);
     [[nodiscard]] Outcome get(protocol::Text words);
     [[nodiscard]] Outcome preset(protocol::Text words);
     [[nodiscard]] Outcome switch_accelerator(protocol::Text words);
-    [[nodiscard]] Outcome move(const tl::expected<Steps, protocol::Fault>& steps);
+    [[nodiscard]] Outcome move(const tl::expected<Steps, protocol::Fault>& steps, Unfinished& rest,
+                               const TurnIsOver& turn_is_over);
+    [[nodiscard]] Outcome move_on(Unfinished& rest, const TurnIsOver& turn_is_over);
+    [[nodiscard]] Outcome take_stored(Unfinished& rest);
+    [[nodiscard]] Outcome may_go_on(const protocol::Accelerator& accelerator) const;
     [[nodiscard]] Outcome animate_at(protocol::Text words);
     [[nodiscard]] Outcome echo(protocol::Text words, SessionSettings& session);
     [[nodiscard]] Outcome group(protocol::Text words, std::string_view& name) const;
@@ -153,6 +172,7 @@ class Controller
 
     protocol::State state_;
     protocol::Words words_;
+    std::uint64_t changes_ = 0;         ///< counts what has made another state the present one
     std::optional<std::size_t> preset_; ///< the one applied last, by its position
     Movement movement_;
     std::function<void(unsigned)> pace_;
@@ -161,6 +181,7 @@ class Controller
     bool last_refused_ = false;
     std::uint64_t applied_ = 0;
     std::array<std::uint64_t, protocol::error_count> rejected_{};
+    std::uint64_t echoed_ = 0; ///< lines that were replies, sent back
     protocol::ReplyWriter reply_;
 };
 

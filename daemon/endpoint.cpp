@@ -3,7 +3,8 @@
 
 #include <sys/epoll.h>
 
-#include <array>
+#include <algorithm>
+#include <utility>
 
 namespace raymarch::daemon
 {
@@ -14,52 +15,91 @@ namespace
 constexpr std::uint32_t for_reading = EPOLLIN | EPOLLET;
 constexpr std::uint32_t for_both = for_reading | EPOLLOUT;
 
-/// A host that sends without a pause gives way to the others after this many bytes.
-constexpr std::size_t turn_bytes = 16'384;
+/// A host that has taken nothing for so long, while replies wait, does not read. A tty tells of
+/// room in pieces of 256 bytes, and 1200 baud take 2.1 s for those.
+constexpr std::chrono::milliseconds patience{2500};
 
 } // namespace
 
-Endpoint::Endpoint(EventLoop& loop, std::unique_ptr<drivers::BytePort> port, Controller& controller,
+Endpoint::Endpoint(EventLoop& loop, Turns& turns, Rank rank,
+                   std::unique_ptr<drivers::BytePort> port, Controller& controller,
                    std::function<void(Endpoint&)> on_gone)
     : port_(std::move(port))
     , session_(controller)
     , on_gone_(std::move(on_gone))
-    , source_(
-          loop.add_io(port_->fd(), for_reading, [this](std::uint32_t events) { on_ready(events); }))
+    , turn_(turns, rank, [this](const TurnIsOver& over) { return take_turn(over); })
+    , patience_(loop.add_timer([this] { give_up_waiting(); }))
+    , source_(loop.add_io(port_->fd(), for_reading, [this](std::uint32_t) { turn_.ready(); }))
 {}
 
-void Endpoint::on_ready(std::uint32_t /*events*/)
+bool Endpoint::take_turn(const TurnIsOver& turn_is_over)
 {
     send(); // room first: what was said earlier goes out before new replies need the queue
-    if (receive())
-        return;
-    const auto on_gone = std::move(on_gone_); // it may destroy this endpoint, and itself with it
-    on_gone(*this);
-}
-
-bool Endpoint::receive()
-{
-    std::array<char, 4096> chunk; // NOLINT(*-member-init): read before use
-    for (std::size_t taken = 0; taken < turn_bytes;) {
-        const drivers::ReadOutcome outcome = port_->read(chunk);
-        switch (outcome.status) {
-        case drivers::ReadStatus::Data:
-            last_heard_ = std::chrono::steady_clock::now();
-            session_.receive({chunk.data(), outcome.size});
+    for (;;) {
+        switch (session_.step(input_, turn_is_over)) {
+        case Step::Done:
             send();
-            taken += outcome.size;
-            continue;
-        case drivers::ReadStatus::HungUp:
-            session_.hang_up();
-            continue; // until it is empty: the next host may have spoken already
-        case drivers::ReadStatus::Empty:
-            return true;
-        case drivers::ReadStatus::Gone:
+            break;
+        case Step::Hungry:
+            if (end_ == End::None ? !read() : !finish_input())
+                return false;
+            break;
+        case Step::Full:
+            wait_for_room(); // the last send() has left too little
+            return false;
+        case Step::Waits:
+            // A UART goes on sending while a disk works.
+            if (end_ == End::None && input_.size() < buffer_.size() && read())
+                break;
+            last_heard_ = std::chrono::steady_clock::now();
             return false;
         }
+        if (turn_is_over()) {
+            last_heard_ = std::chrono::steady_clock::now();
+            return true;
+        }
     }
-    source_->watch(waits_for_room_ ? for_both : for_reading); // reports again what is left
-    return true;
+}
+
+/// Whether anything has come. Precondition: there is room in the buffer.
+bool Endpoint::read()
+{
+    if (input_.data() != buffer_.data())
+        std::copy(input_.begin(), input_.end(), buffer_.begin());
+    const std::span<char> room = std::span(buffer_).subspan(input_.size());
+    const drivers::ReadOutcome outcome = port_->read(room);
+    input_ = {buffer_.data(), input_.size()};
+    switch (outcome.status) {
+    case drivers::ReadStatus::Data:
+        input_ = {buffer_.data(), input_.size() + outcome.size};
+        last_heard_ = std::chrono::steady_clock::now();
+        return true;
+    case drivers::ReadStatus::HungUp:
+        end_ = End::HungUp;
+        session_.set_reads(false);
+        return true;
+    case drivers::ReadStatus::Gone:
+        end_ = End::Gone;
+        return true;
+    case drivers::ReadStatus::Empty:
+        return false;
+    }
+    return false;
+}
+
+/// Every line that came before the end is done. Whether there is more to do.
+bool Endpoint::finish_input()
+{
+    if (end_ == End::HungUp) {
+        session_.hang_up();
+        end_ = End::None; // the next host may have spoken already
+        return true;
+    }
+    if (session_.output().pending().empty())
+        leave();
+    else
+        wait_for_room(); // a host that has closed its sending side may still read
+    return false;
 }
 
 void Endpoint::send()
@@ -70,12 +110,41 @@ void Endpoint::send()
         if (sent == 0)
             break;
         output.pop(sent);
+        sent_meanwhile_ = true;
+        session_.set_reads(end_ != End::HungUp);
     }
     const bool wait = !output.pending().empty();
-    if (wait == waits_for_room_)
+    if (wait == watches_room_)
         return;
-    waits_for_room_ = wait;
+    watches_room_ = wait;
     source_->watch(wait ? for_both : for_reading);
+}
+
+void Endpoint::wait_for_room()
+{
+    if (measures_)
+        return;
+    measures_ = true;
+    sent_meanwhile_ = false;
+    patience_->arm(patience);
+}
+
+void Endpoint::give_up_waiting()
+{
+    measures_ = false;
+    if (!sent_meanwhile_) {
+        session_.set_reads(false);
+        if (end_ == End::Gone)
+            session_.drop_output();
+    }
+    turn_.ready();
+}
+
+void Endpoint::leave()
+{
+    session_.drop_output();
+    const auto on_gone = std::move(on_gone_); // it may destroy this endpoint, and itself with it
+    on_gone(*this);
 }
 
 } // namespace raymarch::daemon

@@ -100,6 +100,17 @@ Source EventLoop::add_timer(std::function<void()> handler)
     return added(std::move(source), "make a timer", result);
 }
 
+Source EventLoop::add_call(std::function<void()> handler)
+{
+    Source source(new EventSource);
+    source->handler_ = [handler = std::move(handler)](std::uint32_t) { handler(); };
+    const auto call = [](sd_event_source* from, void* self) {
+        return guarded(from, [&] { static_cast<EventSource*>(self)->handler_(0); });
+    };
+    const int result = sd_event_add_defer(event_, &source->source_, call, source.get());
+    return added(std::move(source), "call a handler", result);
+}
+
 Source EventLoop::add_signal(int signal, std::function<void()> handler)
 {
     Source source(new EventSource);

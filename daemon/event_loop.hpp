@@ -63,6 +63,8 @@ class EventLoop
                                 std::function<void(std::uint32_t)> handler);
     /// A timer that waits to be armed.
     [[nodiscard]] Source add_timer(std::function<void()> handler);
+    /// Calls `handler` once, after what the loop has found ready already.
+    [[nodiscard]] Source add_call(std::function<void()> handler);
     /// The signal must be blocked in every thread.
     [[nodiscard]] Source add_signal(int signal, std::function<void()> handler);
 

@@ -14,6 +14,7 @@
 
 #include <sys/epoll.h>
 
+#include <cassert>
 #include <system_error>
 
 namespace raymarch::daemon
@@ -45,21 +46,13 @@ emulation::FrameSink preview_to(const std::string& path)
 
 /// A size that was asked for and that this accelerator does not reach is its own size instead: it
 /// was asked for another one.
-BusResult open_emulated(const Config& config, const protocol::Accelerator& accelerator)
+protocol::PictureSize emulated_size(const Config& config, const protocol::Accelerator& accelerator)
 {
-    emulation::EmulatedOptions options = config.emulated;
-    if (options.size == protocol::PictureSize{} ||
-        options.size.width > accelerator.max_size.width ||
-        options.size.height > accelerator.max_size.height)
-        options.size = accelerator.size;
-    options.patience = emulation_patience;
-    try {
-        return emulation::EmulatedBlock::open(engine::model_of(accelerator), options,
-                                              preview_to(config.preview));
-    } catch (const std::system_error& error) { // no thread is left for its worker
-        return fail(Error{ErrorKind::Unavailable, error.code().value(),
-                          std::string("start the emulated accelerator: ") + error.what()});
-    }
+    const protocol::PictureSize asked = config.emulated.size;
+    const bool fits = asked != protocol::PictureSize{} &&
+                      asked.width <= accelerator.max_size.width &&
+                      asked.height <= accelerator.max_size.height;
+    return fits ? asked : accelerator.size;
 }
 
 /// Opens what the variant names; one overload each.
@@ -69,13 +62,24 @@ struct Opener
     const drivers::KernelTree& tree;
     const OpenUio& open_uio;
     const protocol::Accelerator& accelerator;
-    bool& emulated;
+    emulation::EmulatedBlock*& emulated;
     std::string& place;
 
     BusResult emulate() const
     {
-        emulated = true;
-        return open_emulated(config, accelerator);
+        emulation::EmulatedOptions options = config.emulated;
+        options.size = emulated_size(config, accelerator);
+        options.patience = emulation_patience;
+        try {
+            auto block = emulation::EmulatedBlock::open(engine::model_of(accelerator), options,
+                                                        preview_to(config.preview));
+            if (block)
+                emulated = block->get();
+            return block;
+        } catch (const std::system_error& error) { // no thread is left for its worker
+            return fail(Error{ErrorKind::Unavailable, error.code().value(),
+                              std::string("start the emulated accelerator: ") + error.what()});
+        }
     }
     /// An access to logic that is not configured, or has no clock, stops the board: the kernel is
     /// asked first.
@@ -150,18 +154,29 @@ Result<void> Hardware::start()
 
 Result<void> Hardware::open()
 {
-    emulated_ = false;
     const drivers::KernelTree tree(config_.sysfs_root);
     place_.clear();
     auto bus = std::visit(Opener{config_, tree, open_uio_, *wanted_, emulated_, place_},
                           config_.registers);
     if (!bus)
         return fail(bus.error());
-    auto path = RegisterPath::probe(**bus, *wanted_);
+    bus_ = std::move(*bus);
+    if (auto probed = probe(); !probed) {
+        drop_bus();
+        return probed;
+    }
+    return {};
+}
+
+/// Looks at the block on the bus.
+Result<void> Hardware::probe()
+{
+    auto path = RegisterPath::probe(*bus_, *wanted_);
     if (!path)
         return fail(path.error());
-    bus_ = std::move(*bus);
     path_ = *path;
+    faulty_ = false;
+    interrupt_.reset(); // a descriptor can be watched once
     frames_seen_ = path_->frames();
     rate_ = FrameRate(frames_seen_);
     interrupts_.opened();
@@ -203,11 +218,9 @@ bool Hardware::use(const protocol::Accelerator& accelerator)
     if (!path_ || !emulated_)
         return false;
     wanted_ = &accelerator;
-    watch_.reset();
-    interrupt_.reset();
-    path_.reset();
-    bus_.reset();
-    static_cast<void>(open_or_retry());
+    emulated_->become(engine::model_of(accelerator), emulated_size(config_, accelerator));
+    [[maybe_unused]] const auto probed = probe();
+    assert(probed); // the emulated block is what it says it is
     return true;
 }
 
@@ -234,20 +247,25 @@ bool Hardware::found(const Result<void>& opened)
     }
     last_problem_.clear();
     back_off_.opened();
-    faulty_ = false;
     log::info("registers: {} {}", path_->accelerator().name,
               path_->extended() ? "with extended registers" : "without extended registers");
     return true;
+}
+
+void Hardware::drop_bus()
+{
+    watch_.reset();
+    interrupt_.reset();
+    path_.reset();
+    bus_.reset();
+    emulated_ = nullptr;
 }
 
 void Hardware::close()
 {
     log::warning("the register block has gone away; it will be looked for");
     back_off_.lost();
-    watch_.reset();
-    interrupt_.reset();
-    path_.reset();
-    bus_.reset();
+    drop_bus();
     retry_open_->arm(back_off_.next());
 }
 

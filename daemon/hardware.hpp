@@ -13,6 +13,7 @@
 #include "daemon/register_path.hpp"
 #include "drivers/ports.hpp"
 #include "drivers/uio_device.hpp"
+#include "emulation/emulated_block.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -45,6 +46,12 @@ class Hardware final : public Board
     [[nodiscard]] Applied apply(const protocol::Words& words) override;
     [[nodiscard]] bool use(const protocol::Accelerator& accelerator) override;
 
+    /// Ends what is being drawn, as EmulatedBlock::end_drawing().
+    [[nodiscard]] bool end_drawing(std::chrono::milliseconds patience)
+    {
+        return emulated_ == nullptr || emulated_->end_drawing(patience);
+    }
+
     /// What the block is; before it is found, what it is taken for.
     [[nodiscard]] const protocol::Accelerator& accelerator() const noexcept
     {
@@ -56,11 +63,13 @@ class Hardware final : public Board
 
   private:
     [[nodiscard]] Result<void> open();
+    [[nodiscard]] Result<void> probe();
     /// False, and it will be tried again, when the block is not there.
     bool open_or_retry();
     /// The same of the outcome of open().
     bool found(const Result<void>& opened);
     void try_to_open();
+    void drop_bus();
     void close();
     void on_interrupt();
     void watch_place();
@@ -75,7 +84,7 @@ class Hardware final : public Board
     std::function<void()> on_ready_;
     OpenUio open_uio_;
     const protocol::Accelerator* wanted_; ///< what an emulated block is, and a plain one taken for
-    bool emulated_ = false;
+    emulation::EmulatedBlock* emulated_ = nullptr; ///< bus_, where it is one
     BackOff back_off_;
     std::string last_problem_; ///< logged once, not at each attempt
     std::uint64_t readback_errors_ = 0;

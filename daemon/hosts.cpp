@@ -42,9 +42,10 @@ struct SerialOpener
 
 } // namespace
 
-Hosts::Hosts(const Config& config, EventLoop& loop, Controller& controller)
+Hosts::Hosts(const Config& config, EventLoop& loop, Turns& turns, Controller& controller)
     : config_(config)
     , loop_(loop)
+    , turns_(turns)
     , controller_(controller)
     , look_(loop.add_timer([this] { look_at_places(); }))
     , retry_serial_(loop.add_timer([this] { open_serial(); }))
@@ -75,14 +76,15 @@ void Hosts::open_serial()
         return;
     if (port) {
         terminal_ = dynamic_cast<drivers::PseudoTerminal*>(port->get());
-        serial_.emplace(loop_, std::move(*port), controller_, [this](Endpoint& gone) {
-            log::warning("the serial port has gone away; it will be looked for");
-            dropped_before_ += gone.session().dropped_replies();
-            hang_ups_before_ += gone.session().hang_ups();
-            drop_serial();
-            serial_back_off_.lost();
-            retry_serial_->arm(serial_back_off_.next());
-        });
+        serial_.emplace(loop_, turns_, Rank::First, std::move(*port), controller_,
+                        [this](Endpoint& gone) {
+                            log::warning("the serial port has gone away; it will be looked for");
+                            dropped_before_ += gone.session().dropped_replies();
+                            hang_ups_before_ += gone.session().hang_ups();
+                            drop_serial();
+                            serial_back_off_.lost();
+                            retry_serial_->arm(serial_back_off_.next());
+                        });
         if (const auto problem = loop_.take_problem()) {
             drop_serial();
             port = fail(*problem);
@@ -163,7 +165,7 @@ void Hosts::accept_client()
         return;
     if (clients_.size() >= max_clients && !make_room())
         return turn_away(**port);
-    clients_.emplace_back(loop_, std::move(*port), controller_,
+    clients_.emplace_back(loop_, turns_, Rank::Equal, std::move(*port), controller_,
                           [this](Endpoint& gone) { forget(gone); });
     if (const auto problem = loop_.take_problem()) {
         forget(clients_.back());
@@ -274,6 +276,14 @@ void Hosts::mend_link()
     link_problem_.clear();
     link_back_off_.opened();
     watch_link_ = watch_place(std::get<PseudoTerminalLink>(config_.serial).link);
+}
+
+void Hosts::resume()
+{
+    for (Endpoint& client : clients_)
+        client.resume();
+    if (serial_)
+        serial_->resume();
 }
 
 // --- STATUS ---

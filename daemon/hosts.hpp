@@ -9,6 +9,7 @@
 #include "daemon/controller.hpp"
 #include "daemon/endpoint.hpp"
 #include "daemon/event_loop.hpp"
+#include "daemon/turns.hpp"
 #include "drivers/pseudo_terminal.hpp"
 #include "drivers/unix_socket.hpp"
 
@@ -23,14 +24,17 @@ namespace raymarch::daemon
 class Hosts
 {
   public:
-    /// Borrows all three.
-    Hosts(const Config& config, EventLoop& loop, Controller& controller);
+    /// Borrows all four.
+    Hosts(const Config& config, EventLoop& loop, Turns& turns, Controller& controller);
     Hosts(const Hosts&) = delete;
     Hosts& operator=(const Hosts&) = delete;
     ~Hosts();
 
     void open_serial();
     void open_control();
+
+    /// Whoever waits for a disk looks whether it is done.
+    void resume();
 
     /// ` serial=… hang_ups=…`
     void write_serial_status(protocol::ReplyWriter& reply) const;
@@ -53,6 +57,7 @@ class Hosts
 
     const Config& config_;
     EventLoop& loop_;
+    Turns& turns_;
     Controller& controller_;
     Source look_; ///< the socket or the link may have been removed or replaced
 

@@ -6,6 +6,7 @@
 #include <sysexits.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 
 using namespace raymarch; // NOLINT(google-build-using-namespace): a main of a few lines
@@ -45,7 +46,10 @@ int serve(int argc, char** argv)
     daemon::App app(
         *config, [&] { return daemon::load_config(options); }, *loop);
     const auto result = app.run();
-    return result ? 0 : report(result.error());
+    const int status = result ? 0 : report(result.error());
+    if (!app.drawing_has_ended())
+        std::_Exit(status);
+    return status;
 }
 
 } // namespace

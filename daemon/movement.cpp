@@ -17,7 +17,6 @@ using motion::Input;
 using protocol::ErrorCode;
 using protocol::Fault;
 
-/// All at once, on the event loop: so many that it is not held up for long.
 constexpr unsigned most_steps = 1000;
 constexpr unsigned default_rate = 20;
 
@@ -68,24 +67,38 @@ tl::expected<unsigned, Fault> read_animate(protocol::Text words) noexcept
     return 0U;
 }
 
-void Movement::move(const protocol::Accelerator& accelerator, protocol::State& state,
-                    const Steps& steps)
+void Movement::step(const protocol::Accelerator& accelerator, protocol::State& state,
+                    motion::Inputs inputs)
 {
     if (accelerator_ != &accelerator) {
         mover_ = motion::mover_of(accelerator);
         accelerator_ = &accelerator;
     }
-    for (unsigned i = 0; mover_ && i < steps.count; ++i)
-        mover_->step(state, steps.inputs);
+    if (mover_)
+        mover_->step(state, inputs);
+}
+
+void Movement::move(const protocol::Accelerator& accelerator, protocol::State& state, Steps& steps,
+                    const TurnIsOver& turn_is_over)
+{
+    do {
+        step(accelerator, state, steps.inputs);
+        --steps.count;
+    } while (steps.count > 0 && !turn_is_over());
+}
+
+void Movement::animate(const protocol::Accelerator& accelerator, protocol::State& state)
+{
+    step(accelerator, state, Input::Animate);
 }
 
 void Movement::orbit(const protocol::Accelerator& accelerator, protocol::State& state, Side side)
 {
     const bool left = side == Side::Left;
     const protocol::State before = state;
-    move(accelerator, state, {.inputs = left ? Input::TurnLeft : Input::TurnRight});
+    step(accelerator, state, left ? Input::TurnLeft : Input::TurnRight);
     if (state == before)
-        move(accelerator, state, {.inputs = left ? Input::StrafeLeft : Input::StrafeRight});
+        step(accelerator, state, left ? Input::StrafeLeft : Input::StrafeRight);
 }
 
 } // namespace raymarch::daemon

@@ -8,11 +8,15 @@
 #include "protocol/text.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <tl/expected.hpp>
 
 namespace raymarch::daemon
 {
+
+/// Asked between two pieces of what takes long, whether the other hosts are to have their turn.
+using TurnIsOver = std::function<bool()>;
 
 /// What WALK or TURN asks for.
 struct Steps
@@ -36,12 +40,19 @@ inline constexpr unsigned most_rate = 60;
 class Movement
 {
   public:
-    /// Moves `state`, a state of `accelerator`; nothing where that accelerator does not move.
-    void move(const protocol::Accelerator& accelerator, protocol::State& state, const Steps& steps);
+    /// Moves `state`, a state of `accelerator`, by the steps; nothing where that accelerator does
+    /// not move. Each step counts `steps` down; it ends early when `turn_is_over` says so.
+    void move(const protocol::Accelerator& accelerator, protocol::State& state, Steps& steps,
+              const TurnIsOver& turn_is_over);
+    /// One step of what moves by itself.
+    void animate(const protocol::Accelerator& accelerator, protocol::State& state);
     /// One step of the camera to that side: a turn, or a step aside where nothing turns.
     void orbit(const protocol::Accelerator& accelerator, protocol::State& state, Side side);
 
   private:
+    void step(const protocol::Accelerator& accelerator, protocol::State& state,
+              motion::Inputs inputs);
+
     const protocol::Accelerator* accelerator_ = nullptr; ///< whose mover it is
     std::unique_ptr<motion::Mover> mover_;
 };

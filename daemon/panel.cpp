@@ -5,9 +5,11 @@
 #include "protocol/views.hpp"
 
 #include <sys/epoll.h>
+#include <sys/inotify.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <string_view>
 #include <utility>
 
 namespace raymarch::daemon
@@ -20,12 +22,14 @@ constexpr std::chrono::milliseconds tick_interval{50};
 
 } // namespace
 
-Panel::Panel(const Gpio& gpio, EventLoop& loop, Controller& controller, Board& board, Opener open)
+Panel::Panel(const Gpio& gpio, EventLoop& loop, Controller& controller, Board& board, Opener open,
+             std::string devices)
     : gpio_(gpio)
     , loop_(loop)
     , controller_(controller)
     , board_(board)
     , open_(std::move(open))
+    , devices_(std::move(devices))
     , retry_(loop.add_timer([this] { look_for_lines(); }))
     , tick_(loop.add_timer([this] { tick(); }))
 {
@@ -56,22 +60,48 @@ void Panel::look_for_lines()
         return;
     }
     std::set<std::string> problems;
-    bool no_chip = true;
+    bool no_chip = false;
+    bool any_chip = false;
     for (Line& line : lines_) {
         if (line.pin)
             continue;
         if (const auto opened = open(line); !opened) {
             problems.insert(opened.error().message);
-            no_chip = no_chip && opened.error().number == ENODEV;
+            const int number = opened.error().number;
+            no_chip = no_chip || number == ENODEV;
+            any_chip = any_chip || (number != ENODEV && number != ENOENT); // no such path
             continue;
         }
         back_off_.opened();
     }
+    no_chip = no_chip && !any_chip;
     report(problems, no_chip);
-    if (!problems.empty())
+    if (!no_chip)
+        arrivals_.reset();
+    if (!problems.empty() && !(no_chip && wait_for_chip()))
         retry_->arm(back_off_.next());
     if (std::ranges::any_of(lines_, [](const Line& line) { return line.pin != nullptr; }))
         tick_->arm({});
+}
+
+/// Most machines without a chip never get one: looking for it would wake them for nothing. On a
+/// board a driver or an overlay may bring it late.
+bool Panel::wait_for_chip()
+{
+    if (arrivals_)
+        return true;
+    arrivals_ = loop_.add_inotify(devices_.c_str(), IN_CREATE | IN_MOVED_TO,
+                                  [this](const inotify_event& event) {
+                                      const std::string_view name(event.len > 0 ? event.name : "");
+                                      if (!name.starts_with("gpiochip") && !name.empty())
+                                          return;
+                                      back_off_.reset();
+                                      retry_->arm({});
+                                  });
+    if (!arrivals_)
+        return false;
+    retry_->arm({}); // one may have come since the look
+    return true;
 }
 
 Result<void> Panel::open(Line& line)
@@ -118,7 +148,8 @@ void Panel::report(const std::set<std::string>& problems, bool no_chip)
     problems_ = problems;
     if (!fresh.empty())
         log::line(no_chip ? log::Level::Info : log::Level::Warning,
-                  "buttons, switches and LEDs: {}; it will be tried again", fresh);
+                  "buttons, switches and LEDs: {}; {}", fresh,
+                  no_chip ? "one that comes is used" : "it will be tried again");
 }
 
 /// Only noted here, because this may run in a handler of the line's own.

@@ -29,13 +29,16 @@ class Panel
     using Opener = std::function<Result<std::unique_ptr<drivers::Pin>>(const drivers::LineSpec&,
                                                                        drivers::LineUse)>;
 
-    Panel(const Gpio& gpio, EventLoop& loop, Controller& controller, Board& board, Opener open);
+    /// `devices` is the folder in which the chips appear.
+    Panel(const Gpio& gpio, EventLoop& loop, Controller& controller, Board& board, Opener open,
+          std::string devices = "/dev");
     Panel(const Panel&) = delete;
     Panel& operator=(const Panel&) = delete;
     /// The LEDs go dark.
     ~Panel();
 
-    /// Looks for all lines now; for those that are missing, again and again.
+    /// Looks for all lines now; for those that are missing, again and again, or where the machine
+    /// has no chip at all, as soon as one appears.
     void start();
 
     /// ` gpio=…`
@@ -59,6 +62,8 @@ class Panel
     };
 
     void look_for_lines();
+    /// False when that cannot be told; true until look_for_lines() finds a chip.
+    [[nodiscard]] bool wait_for_chip();
     [[nodiscard]] Result<void> open(Line& line);
     void watch(Line& line, bool level);
     void report(const std::set<std::string>& problems, bool no_chip);
@@ -81,6 +86,7 @@ class Panel
     Controller& controller_;
     Board& board_;
     Opener open_;
+    const std::string devices_;
     const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 
     drivers::Blinker accepted_;
@@ -89,6 +95,7 @@ class Panel
     std::list<Line> lines_;
     Source retry_;
     Source tick_;
+    Source arrivals_; ///< of chips; only while there is none
 };
 
 } // namespace raymarch::daemon

@@ -1,56 +1,73 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/session.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace raymarch::daemon
 {
 
-bool OutputQueue::push(std::string_view bytes) noexcept
+Step Session::step(std::string_view& bytes, const TurnIsOver& turn_is_over)
 {
-    if (bytes.size() > bytes_.size() - size_)
-        return false;
-    std::copy(bytes.begin(), bytes.end(), bytes_.data() + size_);
-    size_ += bytes.size();
-    return true;
-}
-
-void OutputQueue::pop(std::size_t count) noexcept
-{
-    std::copy(bytes_.data() + count, bytes_.data() + size_, bytes_.data());
-    size_ -= count;
+    if (rest_.waits())
+        return Step::Waits;
+    if (rest_.any()) {
+        if (!has_room())
+            return Step::Full;
+        push(controller_.resume(rest_, turn_is_over));
+        return Step::Done;
+    }
+    if (bytes.empty())
+        return Step::Hungry;
+    if (!has_room())
+        return Step::Full;
+    if (settings_.echo)
+        return type(bytes, turn_is_over);
+    const auto line = reader_.next(bytes);
+    if (!line)
+        return Step::Hungry;
+    execute(*line, turn_is_over);
+    if (settings_.echo) // the LF of this line may still come
+        editor_.set_after_cr(reader_.after_cr());
+    return Step::Done;
 }
 
 void Session::receive(std::string_view bytes)
 {
-    while (!bytes.empty()) {
-        if (settings_.echo) {
-            receive_typed(bytes);
-            continue;
-        }
-        // ECHO on takes effect with the next line, in the same chunk or not.
-        const auto line = reader_.next(bytes);
-        if (!line)
-            return;
-        execute(*line);
+    const bool reads = std::exchange(reads_, false);
+    while (step(bytes, [] { return false; }) == Step::Done) {
     }
+    reads_ = reads;
 }
 
-void Session::receive_typed(std::string_view& bytes)
+/// One typed line, or as much of it as there is.
+Step Session::type(std::string_view& bytes, const TurnIsOver& turn_is_over)
 {
-    const protocol::Typed typed = editor_.type(bytes.front());
-    bytes.remove_prefix(1);
-    output_.push(typed.echo);
-    if (!typed.line_ended)
-        return;
-    const std::string_view line = editor_.line();
-    const bool too_long = line.size() > protocol::max_line_length;
-    execute({.bytes = too_long ? std::string_view() : line, .too_long = too_long});
+    while (!bytes.empty()) {
+        if (!has_room())
+            return Step::Full;
+        const protocol::Typed typed = editor_.type(bytes.front());
+        bytes.remove_prefix(1);
+        output_.push(typed.echo);
+        if (!typed.line_ended)
+            continue;
+        const std::string_view line = editor_.line();
+        execute({.bytes = line.substr(0, protocol::max_line_length),
+                 .too_long = line.size() > protocol::max_line_length},
+                turn_is_over);
+        if (!settings_.echo)
+            reader_.set_after_cr(editor_.after_cr());
+        return Step::Done;
+    }
+    return Step::Hungry;
 }
 
-void Session::execute(const protocol::Line& line)
+void Session::execute(const protocol::Line& line, const TurnIsOver& turn_is_over)
 {
-    const std::string_view reply = controller_.execute(line, settings_);
+    push(controller_.execute(line, settings_, rest_, turn_is_over));
+}
+
+void Session::push(std::string_view reply) noexcept
+{
     if (!reply.empty() && !output_.push(reply))
         ++dropped_replies_;
 }
@@ -59,8 +76,10 @@ void Session::hang_up() noexcept
 {
     reader_.reset();
     editor_.reset();
-    output_.clear();
+    rest_ = {};
+    drop_output();
     settings_ = {};
+    reads_ = true;
     ++hang_ups_;
 }
 

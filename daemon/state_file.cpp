@@ -48,6 +48,7 @@ std::string format_state_file(const PersistedStates& states)
         append_line(text, "last", *protocol::accelerators[i], states.states[i].last);
         append_line(text, "saved", *protocol::accelerators[i], states.states[i].saved);
     }
+    text += states.others;
     text += fmt::format("{}{:08X}\n", check, crc32(text));
     return text;
 }
@@ -66,14 +67,17 @@ Result<PersistedStates> parse_state_file(std::string_view text)
     PersistedStates states;
     std::string_view rest = text.substr(header.size(), check_at - header.size());
     while (!rest.empty()) {
-        std::string_view line = take_line(rest);
+        const std::string_view whole_line = take_line(rest);
+        std::string_view line = whole_line;
         const std::string_view name = take_word(line);
         if (name != "last" && name != "saved")
             return bad("a line in it is neither last nor saved");
         const protocol::Accelerator* const accelerator =
             protocol::find_accelerator(take_word(line));
-        if (accelerator == nullptr)
+        if (accelerator == nullptr) {
+            states.others.append(whole_line).push_back('\n');
             continue;
+        }
         protocol::State values = protocol::initial_state(*accelerator);
         if (protocol::read_frame(*accelerator, {.bytes = line}, values))
             return bad("a state in it is no frame");

@@ -10,7 +10,7 @@
 ///     crc32 1234ABCD
 ///
 /// The check covers every line before it. A file that fails it, or that another version wrote, is
-/// refused whole; lines of accelerators that this version does not know are left out.
+/// refused whole. Lines of accelerators that this version does not know are kept as they are.
 #pragma once
 
 #include "base/result.hpp"
@@ -35,6 +35,7 @@ struct PersistedState
 struct PersistedStates
 {
     std::array<PersistedState, protocol::accelerators.size()> states{};
+    std::string others; ///< whole lines of accelerators that this version does not know
 
     [[nodiscard]] PersistedState& of(const protocol::Accelerator& accelerator) noexcept
     {

@@ -4,7 +4,8 @@
 #include "base/log.hpp"
 #include "drivers/atomic_file.hpp"
 
-#include <chrono>
+#include <algorithm>
+#include <cerrno>
 #include <utility>
 
 namespace raymarch::daemon
@@ -13,96 +14,227 @@ namespace
 {
 
 constexpr std::size_t largest_state_file = 65'536;
+constexpr std::chrono::seconds pause_after_change{2};
 constexpr std::chrono::seconds pause_after_failure{10};
+
+/// Errors: those of read_file(), and BadData.
+Result<PersistedStates> read_states(const std::string& path)
+{
+    const auto text = drivers::read_file(path, largest_state_file);
+    if (!text)
+        return fail(text.error());
+    auto states = parse_state_file(*text);
+    if (!states)
+        return fail(plain_error(ErrorKind::BadData, path + ": " + states.error().message));
+    return states;
+}
+
+StoredState nothing()
+{
+    std::promise<std::optional<protocol::State>> promise;
+    promise.set_value(std::nullopt);
+    return promise.get_future();
+}
 
 } // namespace
 
-StateStore::StateStore(std::string path)
+StateStore::StateStore(std::string path, std::function<void()> on_stored)
     : path_(std::move(path))
-    , worker_([this](const std::stop_token& stop) { work(stop); })
-{}
-
-StateStore::~StateStore()
+    , on_stored_(std::move(on_stored))
 {
+    if (!path_.empty())
+        worker_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+}
+
+void StateStore::finish()
+{
+    if (!worker_.joinable())
+        return;
     worker_.request_stop();
+    worker_.join();
 }
 
-Result<PersistedStates> StateStore::load() const
+Result<void> StateStore::lock()
 {
-    auto text = drivers::read_file(path_, largest_state_file);
-    if (!text)
-        return fail(text.error());
-    auto state = parse_state_file(*text);
-    if (!state)
-        return fail(plain_error(ErrorKind::BadData, path_ + ": " + state.error().message));
-    return state;
+    if (path_.empty())
+        return {};
+    auto lock = drivers::LockFile::beside(path_);
+    if (lock)
+        lock_ = std::move(*lock);
+    else if (drivers::held_by_another(lock.error()))
+        return fail(lock.error());
+    else
+        log::info("the state file has no lock: {}", lock.error().message);
+    return {};
 }
 
-/// The file's lock comes first: what write_now() wrote in between must not be overwritten by what
-/// waited before it. What could not be written waits on, unless something newer does.
-bool StateStore::write_waiting()
+void StateStore::read()
 {
-    const std::scoped_lock file_lock(file_mutex_);
-    std::unique_lock lock(mutex_);
-    const std::optional<PersistedStates> state = std::exchange(waiting_, std::nullopt);
-    lock.unlock();
-    if (!state || write(*state))
-        return true;
-    lock.lock();
-    if (!waiting_)
-        waiting_ = state;
-    return false;
+    if (path_.empty())
+        return;
+    auto states = read_states(path_);
+    if (states) {
+        const std::scoped_lock lock(mutex_);
+        states_ = std::move(*states);
+    } else if (states.error().number == ENOENT) {
+        log::info("no state from earlier: {}", states.error().message);
+    } else {
+        foreign_ = true;
+        log::warning("starting from the defaults: {}; the file will be kept under another name",
+                     states.error().message);
+    }
 }
 
-bool StateStore::behind()
-{
-    const std::scoped_lock lock(mutex_);
-    return waiting_.has_value();
-}
-
-Result<void> StateStore::write(const PersistedStates& state)
-{
-    const std::string text = format_state_file(state);
-    auto result =
-        drivers::replace_file(path_, drivers::as_bytes(text), drivers::Durability::Durable);
-    if (!result && !failing_)
-        log::warning("the state is not kept: {}", result.error().message);
-    failing_ = !result;
-    return result;
-}
-
-void StateStore::write_later(const PersistedStates& state)
+void StateStore::changed(const Accelerator& accelerator, const State& state)
 {
     const std::scoped_lock lock(mutex_);
-    waiting_ = state;
+    states_.of(accelerator).last = state;
+    if (due_ || path_.empty())
+        return;
+    due_ = Clock::now() + pause_after_change;
     wake_.notify_one();
 }
 
-Result<void> StateStore::write_now(const PersistedStates& state)
+StoredState StateStore::save(const Accelerator& accelerator, const State& state)
 {
-    const std::scoped_lock file_lock(file_mutex_);
-    std::unique_lock lock(mutex_);
-    const std::optional<PersistedStates> older = std::exchange(waiting_, std::nullopt);
-    lock.unlock();
-    auto result = write(state);
-    lock.lock();
-    if (!result && !waiting_)
-        waiting_ = older; // still better than what is in the file
-    return result;
+    return add({.accelerator = &accelerator, .saved = state, .answer = {}});
 }
+
+StoredState StateStore::load(const Accelerator& accelerator)
+{
+    return add({.accelerator = &accelerator, .saved = std::nullopt, .answer = {}});
+}
+
+StoredState StateStore::add(Job job)
+{
+    if (path_.empty())
+        return nothing();
+    const std::scoped_lock lock(mutex_);
+    if (job.saved)
+        states_.of(*job.accelerator).last = job.saved;
+    StoredState answer = job.answer.get_future();
+    jobs_.push_back(std::move(job));
+    wake_.notify_one();
+    return answer;
+}
+
+std::optional<protocol::State> StateStore::last(const Accelerator& accelerator)
+{
+    const std::scoped_lock lock(mutex_);
+    return states_.of(accelerator).last;
+}
+
+// --- the worker ---
 
 void StateStore::work(const std::stop_token& stop)
 {
     std::unique_lock lock(mutex_);
-    while (wake_.wait(lock, stop, [this] { return waiting_.has_value(); })) {
-        lock.unlock();
-        const bool written = write_waiting();
-        lock.lock();
-        if (!written) // the disk may be full, or away: not over and over
-            wake_.wait_for(lock, stop, pause_after_failure, [] { return false; });
-        if (stop.stop_requested())
-            return;
+    while (!stop.stop_requested()) {
+        if (due_)
+            wake_.wait_until(lock, stop, *due_, [this] { return !jobs_.empty(); });
+        else
+            wake_.wait(lock, stop, [this] { return !jobs_.empty() || due_; });
+        if (!jobs_.empty() || (due_ && Clock::now() >= *due_))
+            do_jobs(lock);
     }
+    if (!jobs_.empty() || due_)
+        do_jobs(lock);
+}
+
+/// All that waits, with one write: several hosts that save at once wait for the disk once.
+void StateStore::do_jobs(std::unique_lock<std::mutex>& lock)
+{
+    std::vector<Job> jobs = std::exchange(jobs_, {});
+    const bool changes = std::exchange(due_, std::nullopt).has_value();
+    PersistedStates states = states_;
+    bool saves = false;
+    for (const Job& job : jobs) {
+        if (!job.saved)
+            continue;
+        states.of(*job.accelerator).saved = job.saved;
+        saves = true;
+    }
+    lock.unlock();
+    const bool written = (!changes && !saves) || write(states);
+    lock.lock();
+    if (!written && changes && !due_)
+        due_ = Clock::now() + pause_after_failure; // the disk may be full, or away
+    for (const Job& job : jobs)
+        if (written && job.saved)
+            states_.of(*job.accelerator).saved = job.saved;
+    lock.unlock();
+    answer(jobs, written);
+    lock.lock();
+}
+
+void StateStore::answer(std::vector<Job>& jobs, bool written)
+{
+    std::optional<PersistedStates> file; // read when a LOAD wants it
+    for (Job& job : jobs) {
+        if (job.saved) {
+            job.answer.set_value(written ? job.saved : std::nullopt);
+            continue;
+        }
+        if (!file) {
+            auto states = read_states(path_);
+            file = states ? std::move(*states) : PersistedStates();
+        }
+        const PersistedState& state = file->of(*job.accelerator);
+        job.answer.set_value(state.saved ? state.saved : state.last);
+    }
+    if (file) { // somebody may have put another file there, a copy from earlier
+        const std::scoped_lock lock(mutex_);
+        for (std::size_t i = 0; i < file->states.size(); ++i)
+            if (file->states[i].saved)
+                states_.states[i].saved = file->states[i].saved;
+    }
+    if (!jobs.empty() && on_stored_)
+        on_stored_();
+}
+
+bool StateStore::write(const PersistedStates& states)
+{
+    const auto result = replace(states);
+    if (!result && !failing_)
+        log::warning("the state is not kept: {}", result.error().message);
+    failing_ = !result;
+    return result.has_value();
+}
+
+Result<void> StateStore::replace(const PersistedStates& states)
+{
+    const std::string text = format_state_file(states);
+    if (const auto there = drivers::read_file(path_, largest_state_file); there && *there == text) {
+        foreign_ = false;
+        return {};
+    } else if (there || there.error().number != ENOENT) {
+        if (auto way = make_way(there ? *there : std::string()); !way)
+            return way;
+    }
+    if (auto written =
+            drivers::replace_file(path_, drivers::as_bytes(text), drivers::Durability::Durable);
+        !written)
+        return written;
+    foreign_ = false;
+    const auto held = drivers::read_file(path_, largest_state_file);
+    if (!held)
+        return fail(held.error());
+    if (*held != text)
+        return fail(
+            plain_error(ErrorKind::InputOutput, path_ + " does not hold what was written to it"));
+    return {};
+}
+
+/// Keeps what stands in the file, where it is no state that this version can read.
+Result<void> StateStore::make_way(const std::string& text)
+{
+    if (!foreign_ && parse_state_file(text))
+        return {};
+    const auto kept = drivers::set_aside(path_);
+    if (!kept)
+        return fail(kept.error());
+    log::warning("{} is no state that this version can read: it is kept as {}", path_, *kept);
+    return {};
 }
 
 } // namespace raymarch::daemon

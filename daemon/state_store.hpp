@@ -1,59 +1,87 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Keeps the state over a restart: the file, and the thread that writes it.
+/// Keeps the states over a restart: what each accelerator had last, and what SAVE put aside.
 ///
-/// Reaching the disk can take seconds on an SD card, longer than a serial port's buffer lasts; so a
-/// thread of its own writes, and the event loop only hands over what is to be written.
+/// An SD card can take seconds to write a file, and longer than a serial port's buffer lasts. So a
+/// thread of its own reads and writes, and the event loop never waits for it.
 #pragma once
 
 #include "base/result.hpp"
+#include "daemon/controller.hpp"
 #include "daemon/state_file.hpp"
+#include "drivers/lock_file.hpp"
 
+#include <chrono>
 #include <condition_variable>
-#include <cstdint>
+#include <functional>
+#include <future>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace raymarch::daemon
 {
 
-class StateStore
+class StateStore final : public Storage
 {
   public:
-    explicit StateStore(std::string path);
+    /// `path` names the state file; empty: nothing is kept. `on_stored` is called on another thread
+    /// each time that a StoredState has got its value.
+    StateStore(std::string path, std::function<void()> on_stored);
     StateStore(const StateStore&) = delete;
     StateStore& operator=(const StateStore&) = delete;
-    /// Waits for what is being written; writes nothing more.
-    ~StateStore();
+    ~StateStore() override { finish(); }
+    /// Writes what waits to be written, waits for that, and does nothing more.
+    void finish();
 
-    /// What the file holds. Errors: Unavailable (there is none), InputOutput, BadData.
-    [[nodiscard]] Result<PersistedStates> load() const;
+    /// Makes this process the one that writes the file. Errors: Unavailable, when another one is;
+    /// that the place has no locks is none.
+    [[nodiscard]] Result<void> lock();
 
-    /// Hands over; the newest wins. A write that fails is logged once and tried again until it
-    /// succeeds or something newer comes.
-    void write_later(const PersistedStates& state);
-    /// Writes, and waits for it. Errors: InputOutput.
-    [[nodiscard]] Result<void> write_now(const PersistedStates& state);
+    /// Reads the file, at the start. A file that cannot be read, or not understood, is told of, and
+    /// kept under another name as soon as there is something to write.
+    void read();
 
-    /// Whether something that was handed over is not in the file yet.
-    [[nodiscard]] bool behind();
+    // Storage. A changed state is written two seconds later, with what has changed meanwhile; a
+    // write that fails is logged once and tried again every ten seconds.
+    void changed(const Accelerator& accelerator, const State& state) override;
+    /// What stands in the file already is not written again.
+    [[nodiscard]] StoredState save(const Accelerator& accelerator, const State& state) override;
+    [[nodiscard]] StoredState load(const Accelerator& accelerator) override;
+    [[nodiscard]] std::optional<State> last(const Accelerator& accelerator) override;
 
   private:
-    /// With file_mutex_ held.
-    [[nodiscard]] Result<void> write(const PersistedStates& state);
-    [[nodiscard]] bool write_waiting();
+    using Clock = std::chrono::steady_clock;
+    struct Job
+    {
+        const Accelerator* accelerator;
+        std::optional<State> saved; ///< what to put aside; nothing: LOAD
+        std::promise<std::optional<State>> answer;
+    };
+
+    [[nodiscard]] StoredState add(Job job);
     void work(const std::stop_token& stop);
+    void do_jobs(std::unique_lock<std::mutex>& lock);
+    // On the worker alone.
+    void answer(std::vector<Job>& jobs, bool written);
+    [[nodiscard]] bool write(const PersistedStates& states);
+    [[nodiscard]] Result<void> replace(const PersistedStates& states);
+    [[nodiscard]] Result<void> make_way(const std::string& text);
 
     const std::string path_;
+    std::optional<drivers::LockFile> lock_;
+    const std::function<void()> on_stored_;
 
-    std::mutex file_mutex_; ///< one writer at a time
-    bool failing_ = false;  ///< guarded by file_mutex_
+    bool failing_ = false; ///< the worker's; logged once
+    bool foreign_ = false; ///< what stood in the file at the start could not be read
 
-    std::mutex mutex_; ///< guards waiting_
+    std::mutex mutex_; ///< guards what follows
     std::condition_variable_any wake_;
-    std::optional<PersistedStates> waiting_;
+    PersistedStates states_;
+    std::optional<Clock::time_point> due_; ///< when changes are to be written; none: there are none
+    std::vector<Job> jobs_;
     std::jthread worker_; ///< last: it uses all of the above
 };
 

@@ -17,40 +17,25 @@ namespace raymarch::drivers
 namespace
 {
 
-bool write_all(int fd, std::span<const std::uint8_t> bytes) noexcept
+constexpr int most_set_aside = 100;
+constexpr std::size_t longest_name = 255;
+
+/// `number` counts from 1. A name that would be too long is cut at its end.
+std::string set_aside_name(const std::filesystem::path& path, int number)
 {
-    while (!bytes.empty()) {
-        const ssize_t size = ::write(fd, bytes.data(), bytes.size());
-        if (size < 0 && errno == EINTR)
-            continue;
-        if (size < 0)
-            return false;
-        bytes = bytes.subspan(static_cast<std::size_t>(size));
-    }
-    return true;
+    const std::string ending = number == 1 ? ".bad" : ".bad-" + std::to_string(number);
+    const std::string name = path.filename().string();
+    return (path.parent_path() / (name.substr(0, longest_name - ending.size()) + ending)).string();
 }
 
-/// The rename is in the folder, so the folder has to reach the disk too.
-bool sync_folder(const std::string& path) noexcept
+/// Fails with EEXIST where `to` is there.
+bool rename_to_free(const char* from, const char* to) noexcept
 {
-    const std::string folder = std::filesystem::path(path).parent_path().string();
-    const UniqueFd fd(
-        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    return fd && ::fsync(fd.get()) == 0;
-}
-
-Result<void> write_fresh(const std::string& path, std::span<const std::uint8_t> bytes,
-                         Durability durability)
-{
-    const UniqueFd fd(
-        ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0644));
-    if (!fd)
-        return fail(errno_error(ErrorKind::InputOutput, "make", path));
-    if (!write_all(fd.get(), bytes))
-        return fail(errno_error(ErrorKind::InputOutput, "write", path));
-    if (durability == Durability::Durable && ::fsync(fd.get()) != 0)
-        return fail(errno_error(ErrorKind::InputOutput, "sync", path));
-    return {};
+    if (::renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0)
+        return true;
+    if (errno != EINVAL && errno != ENOSYS) // some file systems cannot do it, NFS among them
+        return false;
+    return ::link(from, to) == 0 && ::unlink(from) == 0;
 }
 
 } // namespace
@@ -58,22 +43,20 @@ Result<void> write_fresh(const std::string& path, std::span<const std::uint8_t> 
 Result<void> replace_file(const std::string& path, std::span<const std::uint8_t> bytes,
                           Durability durability)
 {
-    const std::string fresh = path + ".new";
-    auto result = write_fresh(fresh, bytes, durability);
-    if (result && std::rename(fresh.c_str(), path.c_str()) != 0)
-        result = fail(errno_error(ErrorKind::InputOutput, "replace", path));
-    if (!result) {
-        ::unlink(fresh.c_str());
-        return result;
-    }
-    if (durability == Durability::Durable && !sync_folder(path))
-        return fail(errno_error(ErrorKind::InputOutput, "sync the folder of", path));
-    return {};
+    auto file = UnfinishedFile::open(path);
+    if (!file)
+        return fail(file.error());
+    if (auto written = file->write(bytes); !written)
+        return written;
+    return file->finish(durability);
 }
 
 Result<std::string> read_file(const std::string& path, std::size_t limit)
 {
-    const UniqueFd fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat info = {}; // before it is opened: that alone sets some devices going
+    if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
+        return fail(not_a_file(path, info.st_mode));
+    const UniqueFd fd(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     if (!fd)
         return fail(errno_error(ErrorKind::Unavailable, "open", path));
     std::string content;
@@ -91,6 +74,22 @@ Result<std::string> read_file(const std::string& path, std::size_t limit)
             return fail(plain_error(ErrorKind::BadData,
                                     path + " is larger than " + std::to_string(limit) + " bytes"));
     }
+}
+
+Result<std::string> set_aside(const std::string& path)
+{
+    const auto target = find_target(path);
+    if (!target)
+        return fail(target.error());
+    for (int number = 1; number <= most_set_aside; ++number) {
+        const std::string name = set_aside_name(target->path, number);
+        if (rename_to_free(target->path.c_str(), name.c_str()))
+            return name;
+        if (errno != EEXIST)
+            break;
+    }
+    const ErrorKind kind = errno == ENOENT ? ErrorKind::Unavailable : ErrorKind::InputOutput;
+    return fail(errno_error(kind, "set aside", path));
 }
 
 } // namespace raymarch::drivers

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "drivers/bitstream.hpp"
 
+#include "drivers/configuration_crc.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,10 +25,20 @@ constexpr std::array<std::uint8_t, 13> bit_magic = {0x00, 0x09, 0x0F, 0xF0, 0x0F
                                                     0xF0, 0x0F, 0xF0, 0x00, 0x00, 0x01};
 
 /// Registers of the configuration logic, and the commands of one of them.
+constexpr std::uint32_t crc_register = 0;
+constexpr std::uint32_t frame_data_register = 2;
 constexpr std::uint32_t command_register = 4;
 constexpr std::uint32_t multiple_frame_register = 10;
 constexpr std::uint32_t idcode_register = 12;
+constexpr std::uint32_t register_count = 32;
+constexpr std::uint32_t reset_crc_command = 7;
 constexpr std::uint32_t desync_command = 13;
+constexpr std::uint32_t command_count = 32;
+
+/// What stands in place of a check sequence where a tool was told to compute none; others reset the
+/// sequence instead.
+constexpr std::uint32_t no_crc = 0x0000'DEFC;
+constexpr std::uint32_t no_operation = 0x2000'0000;
 
 Error bad(const std::string& name, std::string_view what)
 {
@@ -99,52 +111,223 @@ Result<void> read_header(Bytes bytes, const std::string& name, Bitstream& bitstr
     return {};
 }
 
-/// From the sync word to the command that ends the configuration: what is written to which
-/// register.
-Result<void> read_packets(const Words& words, const std::string& name, Bitstream& bitstream)
+/// Does what the configuration logic does with the words from the sync word to the command that
+/// ends the configuration, as far as it tells whether they are right.
+class Configuration
+{
+  public:
+    Configuration(const Words& words, const std::string& name, Bitstream& bitstream)
+        : words_(words)
+        , name_(name)
+        , bitstream_(bitstream)
+    {}
+
+    Result<void> run(std::size_t at)
+    {
+        std::optional<std::uint32_t> target; // of the packet just before
+        while (at < words_.size()) {
+            const std::size_t start = at++;
+            const std::uint32_t header = words_[start];
+            if (is_idle(header)) {
+                target.reset();
+                continue;
+            }
+            const auto count = word_count(header, target);
+            if (!count)
+                return damaged(header, start, "is no packet of a write");
+            if (*count > words_.size() - at)
+                break;
+            for (const std::size_t end = at + *count; at < end; ++at) {
+                if (auto written = write(*target, at); !written)
+                    return written;
+                if (ended_)
+                    return finish(at + 1);
+            }
+            bitstream_.repeated_frames += *target == multiple_frame_register && *count > 0 ? 1 : 0;
+        }
+        return refuse("it is cut: the command that ends the configuration is missing");
+    }
+
+  private:
+    [[nodiscard]] Result<void> refuse(std::string_view what) const
+    {
+        return fail(bad(name_, what));
+    }
+    [[nodiscard]] Result<void> damaged(std::uint32_t word, std::size_t at,
+                                       std::string_view what) const
+    {
+        return refuse(fmt::format("damaged: {:08X} at byte {} of the data {}", word, 4 * at, what));
+    }
+
+    static bool is_idle(std::uint32_t word)
+    {
+        return word == no_operation || word == 0 || word == 0xFFFF'FFFF;
+    }
+
+    /// How many words follow the header of a write; nothing when it is none. A packet of type 1
+    /// names the register, `target`, and one of type 2, which is longer, follows it at once. Only
+    /// frames take more than one word.
+    static std::optional<std::size_t> word_count(std::uint32_t header,
+                                                 std::optional<std::uint32_t>& target)
+    {
+        constexpr std::uint32_t write_1 = 0x3000'0000;
+        constexpr std::uint32_t write_2 = 0x5000'0000;
+        const auto takes_more = [](std::uint32_t address) {
+            return address == frame_data_register || address == multiple_frame_register;
+        };
+        if ((header & 0xF800'0000) == write_2 && target && takes_more(*target))
+            return header & 0x07FF'FFFF;
+        const std::uint32_t address = header >> 13 & 0x3FFF;
+        const std::size_t count = header & 0x7FF;
+        if ((header & 0xF800'1800) != write_1 || address >= register_count ||
+            (count != 1 && !takes_more(address)))
+            return std::nullopt;
+        target = address;
+        return count;
+    }
+
+    Result<void> write(std::uint32_t target, std::size_t at)
+    {
+        const std::uint32_t word = words_[at];
+        if (target == crc_register)
+            return compare(at);
+        crc_.add(target, word);
+        switch (target) {
+        case frame_data_register:
+            ++bitstream_.frame_words;
+            frames_pending_ = true;
+            break;
+        case multiple_frame_register:
+            bitstream_.compressed = true;
+            break;
+        case idcode_register:
+            return take_idcode(word & ~revision_mask);
+        case command_register:
+            return take_command(at);
+        default:
+            break;
+        }
+        last_write_ = at;
+        return {};
+    }
+
+    Result<void> compare(std::size_t at)
+    {
+        const std::uint32_t given = words_[at];
+        if (given != no_crc && given != crc_.value())
+            return damaged(
+                given, at,
+                fmt::format("is the check sequence of words that give {:08X}", crc_.value()));
+        any_check_ = any_check_ || given != no_crc;
+        start_check(given != no_crc);
+        return {};
+    }
+
+    /// What has been written since the last start has been compared, or not.
+    void start_check(bool compared)
+    {
+        frames_unchecked_ = frames_unchecked_ || (frames_pending_ && !compared);
+        frames_pending_ = false;
+        last_write_.reset();
+        crc_.reset();
+    }
+
+    Result<void> take_idcode(std::uint32_t idcode)
+    {
+        if (idcode_ && *idcode_ != idcode)
+            return refuse(fmt::format("it names two devices, with IDCODE {:08X} and {:08X}",
+                                      *idcode_, idcode));
+        idcode_ = idcode;
+        return {};
+    }
+
+    Result<void> take_command(std::size_t at)
+    {
+        const std::uint32_t command = words_[at];
+        if (command >= command_count)
+            return damaged(command, at, "is no command");
+        if (command == reset_crc_command)
+            start_check(false);
+        ended_ = command == desync_command;
+        return {};
+    }
+
+    /// `behind` is the first word after the end.
+    Result<void> finish(std::size_t behind)
+    {
+        if (!idcode_)
+            return refuse("it names no device (IDCODE); encrypted bitstreams are not taken");
+        if (any_check_ && last_write_) // a check sequence whose own packet is damaged
+            return damaged(words_[*last_write_], *last_write_, "stands under no check sequence");
+        for (std::size_t at = behind; at < words_.size(); ++at) // or the end came too early
+            if (!is_idle(words_[at]))
+                return damaged(words_[at], at, "follows the command that ends the configuration");
+        bitstream_.idcode = *idcode_;
+        bitstream_.checked = any_check_ && !frames_unchecked_;
+        return {};
+    }
+
+    const Words& words_;
+    const std::string& name_;
+    Bitstream& bitstream_;
+    ConfigurationCrc crc_;
+    std::optional<std::uint32_t> idcode_;
+    std::optional<std::size_t> last_write_; ///< since the check sequence last started
+    bool frames_pending_ = false;           ///< of frame data, the same
+    bool frames_unchecked_ = false;
+    bool any_check_ = false;
+    bool ended_ = false;
+};
+
+/// Up to the command that ends the configuration.
+Result<void> read_words(const Words& words, const std::string& name, Bitstream& bitstream)
 {
     const auto sync = words.find(sync_word);
-    if (!sync)
-        return fail(bad(name, words.find(sync_word_swapped)
-                                  ? "the bytes of its words are not swapped, as a .bin for the "
-                                    "Zynq's are: give the .bit"
-                                  : "there is no sync word: no bitstream"));
-    std::optional<std::uint32_t> idcode;
-    for (std::size_t at = *sync + 1; at < words.size();) {
-        const std::uint32_t header = words[at++];
-        const std::uint32_t type = header >> 29;
-        const bool is_write = (header >> 27 & 3) == 2;
-        if (type == 2) { // goes on with the register of the packet before it
-            const std::size_t count = header & 0x07FF'FFFF;
-            if (is_write && count > words.size() - at)
-                break;
-            at += is_write ? count : 0;
-            continue;
-        }
-        if (type != 1) {
-            if (header == 0 || header == 0xFFFF'FFFF) // padding
-                continue;
-            return fail(bad(name, fmt::format("damaged: {:08X} at byte {} of the data is no packet",
-                                              header, 4 * (at - 1))));
-        }
-        const std::size_t count = is_write ? header & 0x7FF : 0;
-        if (count > words.size() - at)
-            break;
-        const std::uint32_t target = header >> 13 & 0x3FFF;
-        if (count > 0 && target == idcode_register)
-            idcode = words[at] & ~revision_mask;
-        if (count > 0 && target == multiple_frame_register)
-            bitstream.compressed = true;
-        if (count > 0 && target == command_register && words[at] == desync_command) {
-            if (!idcode)
-                return fail(bad(name, "it names no device (IDCODE); encrypted bitstreams are not "
-                                      "taken"));
-            bitstream.idcode = *idcode;
-            return {};
-        }
-        at += count;
-    }
-    return fail(bad(name, "it is cut: the command that ends the configuration is missing"));
+    if (sync)
+        return Configuration(words, name, bitstream).run(*sync + 1);
+    if (!words.find(sync_word_swapped))
+        return fail(bad(name, "there is no sync word: no bitstream"));
+    return fail(bad(name, bitstream.form == BitstreamForm::Bin
+                              ? "the bytes of its words are not swapped, as a .bin for the Zynq's "
+                                "are: give the .bit"
+                              : "the bytes of its words are swapped, which those of a .bit are "
+                                "not"));
+}
+
+char lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// A part as Vivado's header has it: in small letters, without `xc` and without the speed grade and
+/// the range of temperatures (`-1`, `-2`, `-1LI`). Other text stays as it is.
+std::string plain_part(std::string_view text)
+{
+    std::string part(text);
+    std::ranges::transform(part, part.begin(), lower);
+    if (part.starts_with("xc"))
+        part.erase(0, 2);
+    const std::size_t dash = part.find('-');
+    if (dash == std::string::npos)
+        return part;
+    const std::string_view grade = std::string_view(part).substr(dash + 1);
+    if (grade.empty() || grade.size() > 3 || grade[0] < '1' || grade[0] > '3' ||
+        grade.find_first_not_of("ceilmq", 1) != std::string_view::npos)
+        return std::string(text);
+    part.resize(dash);
+    return part;
+}
+
+Result<void> check_part(const std::string& part, const LogicDevice& device, const std::string& name)
+{
+    const std::string plain = plain_part(part);
+    if (plain == device.part)
+        return {};
+    const std::string_view die = device.part.substr(0, device.part.find("clg"));
+    return fail(bad(
+        name,
+        fmt::format("it is for part {}, the board's is {}{}", part, device.part,
+                    plain.starts_with(die) ? ": the package, and so the pins, are others" : "")));
 }
 
 } // namespace
@@ -163,19 +346,19 @@ Result<Bitstream> parse_bitstream(Bytes bytes, const std::string& name)
     if (bitstream.data.size() % 4 != 0)
         return fail(bad(
             name, fmt::format("{} bytes of data are no whole words of 4", bitstream.data.size())));
-    if (auto packets = read_packets({bitstream.data, bitstream.form}, name, bitstream); !packets)
-        return fail(packets.error());
+    if (auto read = read_words({bitstream.data, bitstream.form}, name, bitstream); !read)
+        return fail(read.error());
     return bitstream;
 }
 
 Result<void> check_bitstream(const Bitstream& bitstream, const LogicDevice& device,
                              const std::string& name)
 {
-    constexpr std::size_t padding = 64; // what tools may add at the end
+    constexpr std::size_t padding = 64; // what tools may add
     const std::size_t size = bitstream.data.size();
-    if (bitstream.form == BitstreamForm::Bit && bitstream.part != device.part)
-        return fail(bad(name, fmt::format("it is for part {}, the board's is {}", bitstream.part,
-                                          device.part)));
+    if (bitstream.form == BitstreamForm::Bit)
+        if (auto fits = check_part(bitstream.part, device, name); !fits)
+            return fits;
     if (bitstream.idcode != device.idcode)
         return fail(bad(name, fmt::format("it is for the device with IDCODE {:08X}, the board's "
                                           "is {:08X}",
@@ -187,6 +370,12 @@ Result<void> check_bitstream(const Bitstream& bitstream, const LogicDevice& devi
         return fail(bad(name, fmt::format("{} bytes of data; a whole bitstream of {} has {}{}",
                                           size, device.part, device.bitstream_bytes,
                                           bitstream.compressed ? " at most" : "")));
+    const std::size_t frames = bitstream.frame_words / words_a_frame + bitstream.repeated_frames;
+    const std::size_t whole = device.frames + (bitstream.compressed ? 0 : device.padding_frames);
+    if (frames < whole)
+        return fail(bad(name, fmt::format("it configures only a part of the logic: {} frames; a "
+                                          "whole bitstream of {} has {}",
+                                          frames, device.part, whole)));
     return {};
 }
 

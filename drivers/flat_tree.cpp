@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace raymarch::drivers
 {
@@ -61,31 +62,38 @@ bool is_named(TreeBytes strings, std::uint32_t at, std::string_view name)
            strings[at + name.size()] == 0;
 }
 
-/// Adds the values to `found`; false where the structure ends too early or has an unknown token.
+/// Adds the values to `found`; false where the structure ends too early, has an unknown token, or
+/// is no tree: one root, nodes that end where they began, properties within them that have a name.
 bool walk(Reader& structure, TreeBytes strings, std::string_view name,
           std::vector<TreeBytes>& found)
 {
+    std::size_t depth = 0;
+    bool any_root = false;
     for (;;) {
         switch (structure.cell().value_or(0)) {
         case begin_node:
-            if (!structure.text())
+            if (!structure.text() || (depth == 0 && std::exchange(any_root, true)))
                 return false;
+            ++depth;
             break;
         case property: {
             const auto length = structure.cell();
             const auto name_at = structure.cell();
             const auto value = length && name_at ? structure.bytes(*length) : std::nullopt;
-            if (!value)
+            if (!value || *name_at >= strings.size() || depth == 0)
                 return false;
             if (is_named(strings, *name_at, name))
                 found.push_back(*value);
             break;
         }
         case end_node:
+            if (depth-- == 0)
+                return false;
+            break;
         case nop:
             break;
         case end:
-            return true;
+            return any_root && depth == 0;
         default:
             return false;
         }

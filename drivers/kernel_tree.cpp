@@ -2,6 +2,7 @@
 #include "drivers/kernel_tree.hpp"
 
 #include "base/unique_fd.hpp"
+#include "drivers/atomic_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -11,12 +12,18 @@
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 
 namespace raymarch::drivers
 {
 
 namespace fs = std::filesystem;
+
+namespace
+{
+
+constexpr std::size_t largest_file = 65'536; ///< sysfs has at most a page for each
+
+} // namespace
 
 std::string KernelTree::path(std::string_view file) const
 {
@@ -49,11 +56,10 @@ std::vector<std::string> KernelTree::entries(std::string_view folder) const
 
 std::optional<std::string> KernelTree::line(std::string_view file) const
 {
-    std::ifstream stream(path(file));
-    std::string text;
-    if (!std::getline(stream, text))
+    const auto content = read_file(path(file), largest_file);
+    if (!content || content->empty())
         return std::nullopt;
-    return text;
+    return content->substr(0, content->find('\n'));
 }
 
 std::optional<std::uint64_t> KernelTree::hex(std::string_view file) const
@@ -73,7 +79,7 @@ std::optional<std::uint64_t> KernelTree::hex(std::string_view file) const
 Result<void> KernelTree::write(std::string_view file, std::string_view bytes)
 {
     const std::string name = path(file);
-    UniqueFd fd(::open(name.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
+    UniqueFd fd(::open(name.c_str(), O_WRONLY | O_TRUNC | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     if (!fd)
         return fail(errno_error(ErrorKind::Unavailable, "open", name));
     const ssize_t written = ::write(fd.get(), bytes.data(), bytes.size());

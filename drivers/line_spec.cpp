@@ -21,33 +21,78 @@ constexpr std::array pull_names = {
     PullName{"no-pull", Pull::None},
 };
 
-/// The text before the first `separator`; `rest` is what follows it, or has no data at the end.
-std::string_view take_part(std::string_view& rest, char separator)
+constexpr char quote = '\'';
+
+std::string_view trim(std::string_view text)
 {
-    const std::size_t end = rest.find(separator);
-    const std::string_view part = rest.substr(0, end);
-    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+    const std::size_t first = text.find_first_not_of(' ');
+    if (first == std::string_view::npos)
+        return {};
+    return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// The text before the first of the separators, which stays in `rest`.
+std::string_view take_until(std::string_view& rest, std::string_view separators)
+{
+    const std::string_view part = rest.substr(0, rest.find_first_of(separators));
+    rest.remove_prefix(part.size());
     return part;
 }
 
-/// A name may hold colons: only one with a number behind it parts chip and offset.
-std::optional<LinePlace> parse_place(std::string_view text)
+/// What stands between quotes; two of them inside are one. Nothing when the last is missing.
+std::optional<std::string> take_quoted(std::string_view& rest)
 {
-    if (text.empty())
-        return std::nullopt;
-    const std::size_t colon = text.rfind(':');
-    if (colon == std::string_view::npos)
-        return LinePlace{.name = std::string(text), .chip = {}};
-    LinePlace place;
-    const std::string_view digits = text.substr(colon + 1);
+    std::string text;
+    do {
+        rest.remove_prefix(1);
+        text += take_until(rest, {&quote, 1});
+        if (rest.empty())
+            return std::nullopt;
+        rest.remove_prefix(1);
+        if (rest.starts_with(quote))
+            text += quote;
+    } while (rest.starts_with(quote));
+    return text;
+}
+
+std::optional<unsigned> read_offset(std::string_view digits)
+{
+    unsigned offset = 0;
     const char* const end = digits.data() + digits.size();
-    const auto read = std::from_chars(digits.data(), end, place.offset);
-    if (read.ec != std::errc{} || read.ptr != end)
-        return LinePlace{.name = std::string(text), .chip = {}};
-    if (colon == 0)
-        return std::nullopt;
-    place.chip = text.substr(0, colon);
-    return place;
+    const auto read = std::from_chars(digits.data(), end, offset);
+    return read.ec == std::errc{} && read.ptr == end ? std::optional(offset) : std::nullopt;
+}
+
+/// A name may hold colons: only one with a number behind it parts chip and offset.
+LinePlace plain_place(std::string_view text)
+{
+    const std::size_t colon = text.rfind(':');
+    if (colon != std::string_view::npos)
+        if (const auto offset = read_offset(text.substr(colon + 1)))
+            return {.name = {}, .chip = std::string(text.substr(0, colon)), .offset = *offset};
+    return {.name = std::string(text), .chip = {}};
+}
+
+/// Up to the next place, the first option or the end.
+std::optional<LinePlace> take_place(std::string_view& rest)
+{
+    constexpr std::string_view ends = "|,";
+    rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(' ')));
+    LinePlace place;
+    if (rest.starts_with(quote)) {
+        auto text = take_quoted(rest);
+        const std::string_view more = trim(take_until(rest, ends));
+        const auto offset = more.starts_with(':') ? read_offset(more.substr(1)) : std::nullopt;
+        if (!text || (!more.empty() && !offset))
+            return std::nullopt;
+        if (offset)
+            place = {.name = {}, .chip = std::move(*text), .offset = *offset};
+        else
+            place.name = std::move(*text);
+    } else {
+        place = plain_place(trim(take_until(rest, ends)));
+    }
+    return place.name.empty() && place.chip.empty() ? std::nullopt : std::optional(place);
 }
 
 bool apply_option(LineSpec& spec, std::string_view option)
@@ -67,27 +112,42 @@ bool apply_option(LineSpec& spec, std::string_view option)
 
 std::optional<LineSpec> parse_line_spec(std::string_view text)
 {
-    if (text.ends_with(',') || text.find_first_of(" \t\n") != std::string_view::npos)
+    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 0x7F; };
+    if (std::ranges::any_of(text, is_control))
         return std::nullopt;
     LineSpec spec;
-    std::string_view places = take_part(text, ',');
-    if (places.ends_with('|'))
-        return std::nullopt;
     do {
-        auto place = parse_place(take_part(places, '|'));
+        if (!spec.places.empty())
+            text.remove_prefix(1); // the |
+        auto place = take_place(text);
         if (!place)
             return std::nullopt;
         spec.places.push_back(std::move(*place));
-    } while (!places.empty());
-    while (!text.empty())
-        if (!apply_option(spec, take_part(text, ',')))
+    } while (text.starts_with('|'));
+    while (text.starts_with(',')) {
+        text.remove_prefix(1);
+        if (!apply_option(spec, take_until(text, ",")))
             return std::nullopt;
+    }
     return spec;
 }
 
 std::string to_string(const LinePlace& place)
 {
-    return place.chip.empty() ? place.name : place.chip + ':' + std::to_string(place.offset);
+    const bool named = place.chip.empty();
+    const std::string& text = named ? place.name : place.chip;
+    const bool is_plain = text.find_first_of("|,") == std::string::npos &&
+                          !text.starts_with(quote) && trim(text) == text && text != "none" &&
+                          (!named || plain_place(text) == place);
+    std::string written;
+    if (is_plain) {
+        written = text;
+    } else {
+        for (const char c : text)
+            written.append(c == quote ? 2 : 1, c);
+        written = quote + written + quote;
+    }
+    return named ? written : written + ':' + std::to_string(place.offset);
 }
 
 } // namespace raymarch::drivers

@@ -36,10 +36,12 @@ struct LineSpec
 /// How parse_line_spec() wants it.
 inline constexpr std::string_view line_spec_syntax =
     "NAME or CHIP:OFFSET, several with | between them, then ,active-low and ,pull-up, ,pull-down "
-    "or ,no-pull";
+    "or ,no-pull; a NAME that could be misread stands between ' and '";
 
 /// `PLACE[|PLACE…][,active-low][,pull-up|,pull-down|,no-pull]`, PLACE being `NAME` or
-/// `CHIP:OFFSET`. Nothing when the text is not such.
+/// `CHIP:OFFSET`. Names and chips may hold blanks; those around them do not count. Between two `'`
+/// any character stands for itself, and `''` for `'`: so a name may hold a comma, or end like an
+/// offset. Nothing when the text is not such, or has control characters.
 [[nodiscard]] std::optional<LineSpec> parse_line_spec(std::string_view text);
 
 /// The place as a configuration writes it.

@@ -40,15 +40,20 @@ class Undo
 Result<void> install(const KernelTree& tree, std::span<const std::uint8_t> bin, Undo& undo)
 {
     const std::string path = tree.beside(fmt::format("{}/{}", firmware_folder, overlay_firmware));
+    const auto target = find_target(path);
+    if (!target)
+        return fail(target.error());
     auto before = read_file(path, largest_bitstream_file);
+    if (!before && target->file) // it could not be put back
+        return fail(before.error());
     if (auto written = replace_file(path, bin, Durability::Durable); !written)
         return written;
-    undo.add([path, before = std::move(before)] {
+    undo.add([file = target->path, before = std::move(before)] {
         std::error_code ignored; // what made it necessary is told
         if (!before)
-            fs::remove(path, ignored);
+            fs::remove(file, ignored);
         else
-            static_cast<void>(replace_file(path, as_bytes(*before), Durability::Durable));
+            static_cast<void>(replace_file(file, as_bytes(*before), Durability::Durable));
     });
     return {};
 }

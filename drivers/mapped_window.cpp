@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "drivers/mapped_window.hpp"
 
+#include "base/file_target.hpp"
 #include "drivers/bus_fault.hpp"
 #include "drivers/lock_file.hpp"
 
@@ -94,15 +95,16 @@ Result<std::unique_ptr<MappedWindow>> MappedWindow::open_uio(const UioDevice& de
 Result<std::unique_ptr<MappedWindow>> MappedWindow::open_file(const std::string& path,
                                                               std::size_t bytes)
 {
-    // O_NONBLOCK: what is refused below, as a terminal without a carrier, must not be waited for.
-    UniqueFd fd(::open(path.c_str(), O_RDWR | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0644));
+    struct stat info = {}; // before it is opened: that alone sets some devices going
+    if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
+        return fail(plain_error(ErrorKind::Unavailable, not_a_file(path, info.st_mode).message));
+    UniqueFd fd(::open(path.c_str(), O_RDWR | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0644));
     if (!fd)
         return fail(errno_error(ErrorKind::Unavailable, "open", path));
-    struct stat info = {};
     if (::fstat(fd.get(), &info) != 0)
         return fail(errno_error(ErrorKind::InputOutput, "stat", path));
     if (!S_ISREG(info.st_mode))
-        return fail(plain_error(ErrorKind::Unavailable, path + " is not an ordinary file"));
+        return fail(plain_error(ErrorKind::Unavailable, not_a_file(path, info.st_mode).message));
     if (auto claimed = claim(fd.get(), path); !claimed) // before it is changed in any way
         return fail(claimed.error());
     if (info.st_size < static_cast<off_t>(bytes) &&

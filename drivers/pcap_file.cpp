@@ -130,7 +130,8 @@ Result<std::optional<PcapRecord>> PcapReader::next()
     at_ = start + record_header_bytes + captured;
     const std::uint64_t time = seconds * nanoseconds_a_second + ticks * nanoseconds_a_tick_;
     return PcapRecord{.frame = bytes_.subspan(start + record_header_bytes, captured),
-                      .time = std::chrono::nanoseconds(static_cast<std::int64_t>(time))};
+                      .time = std::chrono::nanoseconds(static_cast<std::int64_t>(time)),
+                      .cut = word(start + 12) > captured};
 }
 
 } // namespace raymarch::drivers

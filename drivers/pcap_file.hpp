@@ -40,6 +40,7 @@ struct PcapRecord
 {
     std::span<const std::uint8_t> frame; ///< what was captured of it
     std::chrono::nanoseconds time{};     ///< since 1970
+    bool cut = false;                    ///< there was more of it on the wire
 };
 
 /// A capture being read: either byte order, micro- or nanoseconds.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "drivers/pseudo_terminal.hpp"
 
+#include "base/unfinished_file.hpp"
 #include "drivers/serial_port.hpp"
 
 #include <fcntl.h>
@@ -67,17 +68,17 @@ Result<void> place_link(const std::string& target, const fs::path& link)
     if (fs::exists(there) && !fs::is_symlink(there))
         return fail(plain_error(ErrorKind::Unavailable,
                                 link.string() + " is there and is no symbolic link"));
-    const fs::path fresh = link.string() + "." + std::to_string(::getpid()) + ".new";
-    error.clear();
-    fs::create_symlink(target, fresh, error);
-    if (!error)
-        fs::rename(fresh, link, error);
+    const auto fresh = make_beside(link, [&](const std::string& name) {
+        return ::symlink(target.c_str(), name.c_str()) == 0;
+    });
+    if (!fresh)
+        return fail(Error{ErrorKind::Unavailable, fresh.error().number, fresh.error().message});
+    fs::rename(*fresh, link, error);
     if (!error)
         return {};
-    const std::string why = error.message();
-    if (identity_of_link(fresh.string()) && fs::read_symlink(fresh, error) == target)
-        fs::remove(fresh, error);
-    return fail(plain_error(ErrorKind::Unavailable, "link " + link.string() + ": " + why));
+    ::unlink(fresh->c_str());
+    return fail(
+        plain_error(ErrorKind::Unavailable, "link " + link.string() + ": " + error.message()));
 }
 
 } // namespace

@@ -4,11 +4,11 @@
 /// virtual machine whose programmable logic is played from outside.
 ///
 /// Plain memory has no side effects, so step() has to be called again and again; what hardware does
-/// within a clock happens at the next step. Three things differ from hardware for that reason. Bit 31
-/// of STATUS reads 1: a write of 1 to "frame done" would else leave the word as it is, and nobody
-/// would see it. Two commits that come faster than the steps are taken together. And a write of STATUS
-/// hides "busy" and "commit pending" until the next step: who acknowledges a frame and asks at once
-/// finds no commit pending.
+/// within a clock happens at the next step. Three things differ from hardware for that reason. Bit
+/// 31 of STATUS reads 1: a write of 1 to "frame done" would else leave the word as it is, and
+/// nobody would see it. Two commits that come faster than the steps are taken together. And a write
+/// of STATUS hides "busy" and "commit pending" until the next step: who acknowledges a frame and
+/// asks at once finds no commit pending.
 #pragma once
 
 #include "drivers/ports.hpp"

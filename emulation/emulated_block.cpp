@@ -43,10 +43,11 @@ EmulatedBlock::open(const engine::Model& model, const EmulatedOptions& options, 
 
 EmulatedBlock::EmulatedBlock(const engine::Model& model, const EmulatedOptions& options,
                              FrameSink sink, UniqueFd interrupt)
-    : model_(model)
-    , options_(options)
+    : options_(options)
     , sink_(std::move(sink))
     , interrupt_(std::move(interrupt))
+    , model_(&model)
+    , size_(options.size)
     , worker_([this](const std::stop_token& stop) { work(stop); })
 {}
 
@@ -56,10 +57,36 @@ EmulatedBlock::~EmulatedBlock()
     wake_.notify_all();
 }
 
+void EmulatedBlock::become(const engine::Model& model, engine::PictureSize size)
+{
+    const std::scoped_lock lock(mutex_);
+    model_ = &model;
+    size_ = size;
+    ++lives_;
+    reset();
+    status_ = 0;
+    control_ = 0;
+    scratch_ = 0;
+    armed_ = true;
+    interrupts_ = 0;
+    std::uint64_t unseen = 0;
+    [[maybe_unused]] const auto size_read = ::read(interrupt_.get(), &unseen, sizeof unseen);
+    frame_.request_stop();
+}
+
+bool EmulatedBlock::end_drawing(std::chrono::milliseconds patience)
+{
+    worker_.request_stop();
+    std::unique_lock lock(mutex_);
+    const bool ended = wake_.wait_for(lock, patience, [this] { return ended_; });
+    wake_.wait(lock, [this] { return !showing_; });
+    return ended || ended_;
+}
+
 std::uint32_t EmulatedBlock::read(drivers::RegOffset at) noexcept
 {
     const std::scoped_lock lock(mutex_);
-    if (const auto index = parameter_word(*model_.description, at))
+    if (const auto index = parameter_word(*model_->description, at))
         return words_[*index];
     return options_.form == BlockForm::Extended ? read_extended(Register{at.bytes}) : 0;
 }
@@ -72,9 +99,9 @@ std::uint32_t EmulatedBlock::read_extended(Register at) const
     case Register::Version:
         return protocol::version_value;
     case Register::Capability:
-        return protocol::capability_word(*model_.description);
+        return protocol::capability_word(*model_->description);
     case Register::Geometry:
-        return protocol::geometry_word(options_.size);
+        return protocol::geometry_word(size_);
     case Register::Control:
         return control_;
     case Register::Commit:
@@ -86,7 +113,7 @@ std::uint32_t EmulatedBlock::read_extended(Register at) const
     case Register::Cycles:
         return cycles_;
     case Register::ClockHz:
-        return model_.description->clock_hz;
+        return model_->description->clock_hz;
     case Register::Scratch:
         return scratch_;
     }
@@ -96,7 +123,7 @@ std::uint32_t EmulatedBlock::read_extended(Register at) const
 void EmulatedBlock::write(drivers::RegOffset at, std::uint32_t word) noexcept
 {
     const std::scoped_lock lock(mutex_);
-    if (const auto index = parameter_word(*model_.description, at)) {
+    if (const auto index = parameter_word(*model_->description, at)) {
         words_[*index] = word;
         if (options_.form == BlockForm::Bare || (control_ & control::shadow) == 0)
             latch_at_frame_start();
@@ -194,12 +221,26 @@ void EmulatedBlock::latch_at_frame_start()
         frame_.request_stop();
 }
 
-void EmulatedBlock::draw(engine::Painter& painter, const protocol::Words& words,
+void EmulatedBlock::show(const engine::Image& image, const std::stop_token& stop)
+{
+    if (!sink_)
+        return;
+    std::unique_lock lock(mutex_);
+    if (stop.stop_requested())
+        return;
+    showing_ = true;
+    lock.unlock();
+    sink_(image);
+    lock.lock();
+    showing_ = false;
+    wake_.notify_all();
+}
+
+void EmulatedBlock::draw(engine::Painter& painter, const engine::Drawing& drawing,
                          std::uint32_t number, engine::Image& image, const std::stop_token& stop)
 {
     using Clock = std::chrono::steady_clock;
-    const engine::Drawing drawing{model_, words, engine::kernel_of(model_)};
-    if (options_.patience && engine::frames_of_a_still(model_, words) == 1) {
+    if (options_.patience && engine::frames_of_a_still(drawing.model, drawing.words) == 1) {
         const auto start = Clock::now();
         painter.draw(drawing, engine::region_of(engine::passes[0], image.size, number),
                      {image.rgb, costs_}, stop);
@@ -226,28 +267,28 @@ void EmulatedBlock::draw_in_passes(engine::Painter& painter, const engine::Drawi
             return;
         if (pass.grid > 1 && sink_) {
             engine::spread(image, pass.grid, shown);
-            sink_(shown);
+            show(shown, stop);
         }
         const std::scoped_lock lock(mutex_);
         slow_ = true;
         if (latch_)
             frame_.request_stop();
     }
-    if (model_.finish != nullptr && !stop.stop_requested())
-        model_.finish(drawing.words, canvas);
+    if (drawing.model.finish != nullptr && !stop.stop_requested())
+        drawing.model.finish(drawing.words, canvas);
 }
 
 void EmulatedBlock::work(const std::stop_token& stop)
 {
     engine::Painter painter(options_.threads);
-    std::array buffers = {engine::Image(options_.size), engine::Image(options_.size)};
-    costs_.resize(buffers[0].rgb.size() / engine::bytes_per_pixel);
+    std::array<engine::Image, 2> buffers;
     protocol::Words latched;
     std::unique_lock lock(mutex_);
     while (wake_.wait(lock, stop, [this] { return frame_can_start(); })) {
+        const engine::Model& model = *model_;
         if (latch_) {
             latched = words_;
-            owed_ = engine::frames_of_a_still(model_, latched);
+            owed_ = engine::frames_of_a_still(model, latched);
             latch_ = false;
         }
         --owed_;
@@ -256,20 +297,27 @@ void EmulatedBlock::work(const std::stop_token& stop)
         frame_ = std::stop_source();
         const std::stop_token frame_stop = frame_.get_token();
         const std::stop_callback end(stop, [source = frame_]() mutable { source.request_stop(); });
+        const engine::PictureSize size = size_;
+        const unsigned life = lives_;
         const std::uint32_t number = frames_;
         engine::Image& image = buffers[number % buffers.size()];
 
         lock.unlock();
-        draw(painter, latched, number, image, frame_stop);
+        if (image.size != size) {
+            buffers.fill(engine::Image(size));
+            costs_.assign(image.rgb.size() / engine::bytes_per_pixel, {});
+        }
+        draw(painter, {model, latched, engine::kernel_of(model)}, number, image, frame_stop);
         if (stop.stop_requested())
-            return;
+            break;
         const bool finished = !frame_stop.stop_requested();
-        const std::uint64_t cycles =
-            engine::frame_cycles(model_, latched, options_.size, number, costs_);
-        if (sink_ && finished)
-            sink_(image);
+        const std::uint64_t cycles = engine::frame_cycles(model, latched, size, number, costs_);
+        if (finished)
+            show(image, frame_stop);
         lock.lock();
 
+        if (life != lives_)
+            continue; // nobody wants it any more
         slow_ = false;
         status_ &= ~status::busy;
         if (!finished)
@@ -280,6 +328,10 @@ void EmulatedBlock::work(const std::stop_token& stop)
             std::min<std::uint64_t>(cycles, std::numeric_limits<std::uint32_t>::max()));
         raise_interrupt();
     }
+    if (!lock.owns_lock())
+        lock.lock();
+    ended_ = true;
+    wake_.notify_all();
 }
 
 } // namespace raymarch::emulation

@@ -51,7 +51,16 @@ class EmulatedBlock final : public drivers::RegisterBus
     /// Errors: Unavailable (no eventfd).
     [[nodiscard]] static Result<std::unique_ptr<EmulatedBlock>>
     open(const engine::Model& model, const EmulatedOptions& options, FrameSink sink);
+    /// Waits until the drawing thread has seen that it is to end, which takes part of a frame.
     ~EmulatedBlock() override;
+
+    /// Becomes another accelerator's block, as after power-on, at once: the frame that is being
+    /// drawn is given up, and the drawing thread begins with the next one when it has seen that.
+    void become(const engine::Model& model, engine::PictureSize size);
+
+    /// Ends the drawing, for a process that is about to end itself. Waits for what the sink has
+    /// been given, and so long for the rest; false when something is still being drawn then.
+    [[nodiscard]] bool end_drawing(std::chrono::milliseconds patience);
 
     [[nodiscard]] std::uint32_t read(drivers::RegOffset at) noexcept override;
     void write(drivers::RegOffset at, std::uint32_t word) noexcept override;
@@ -64,7 +73,9 @@ class EmulatedBlock final : public drivers::RegisterBus
     EmulatedBlock(const engine::Model& model, const EmulatedOptions& options, FrameSink sink,
                   UniqueFd interrupt);
     void work(const std::stop_token& stop);
-    void draw(engine::Painter& painter, const protocol::Words& words, std::uint32_t number,
+    /// Calls the sink, unless `stop` says that nobody wants the picture any more.
+    void show(const engine::Image& image, const std::stop_token& stop);
+    void draw(engine::Painter& painter, const engine::Drawing& drawing, std::uint32_t number,
               engine::Image& image, const std::stop_token& stop);
     void draw_in_passes(engine::Painter& painter, const engine::Drawing& drawing,
                         std::uint32_t number, engine::Image& image, const std::stop_token& stop);
@@ -75,13 +86,17 @@ class EmulatedBlock final : public drivers::RegisterBus
     void reset();
     void raise_interrupt();
 
-    const engine::Model& model_;
     const EmulatedOptions options_;
     const FrameSink sink_;
     const UniqueFd interrupt_;
 
     std::mutex mutex_; ///< guards everything below
     std::condition_variable_any wake_;
+    const engine::Model* model_;
+    engine::PictureSize size_;
+    unsigned lives_ = 1;      ///< counts what it has been
+    bool showing_ = false;    ///< the sink has been called and has not returned
+    bool ended_ = false;      ///< the worker has
     protocol::Words words_{}; ///< as written; in shadow mode not yet seen by the ray units
     bool latch_ = false;      ///< words wait for a frame start
     bool slow_ = false;       ///< the frame that is being drawn ends early for newer words

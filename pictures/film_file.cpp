@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pictures/film_file.hpp"
 
+#include "base/file_target.hpp"
 #include "pictures/film_writers.hpp"
 #include "pictures/picture_file.hpp"
 
@@ -8,15 +9,11 @@
 #include <array>
 #include <cassert>
 #include <cctype>
-#include <filesystem>
-#include <system_error>
 
 namespace raymarch::pictures
 {
 namespace
 {
-
-namespace fs = std::filesystem;
 
 /// In the order of FilmFormat.
 struct Row
@@ -49,10 +46,9 @@ bool ends_with(std::string_view path, std::string_view ending)
 /// Found out now rather than after the last frame.
 Result<void> check_place(const std::string& path)
 {
-    std::error_code ignored; // what cannot be looked at cannot be made either, and that says why
-    const fs::file_status status = fs::status(path, ignored);
-    if (fs::exists(status) && !fs::is_regular_file(status))
-        return fail(plain_error(ErrorKind::Usage, path + " is there and is not a file"));
+    struct stat info = {}; // what cannot be looked at cannot be made either, and that says why
+    if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
+        return fail(plain_error(ErrorKind::Usage, not_a_file(path, info.st_mode).message));
     return {};
 }
 

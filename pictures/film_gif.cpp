@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// A film as a GIF: each frame with a palette of its own.
+#include "base/unfinished_file.hpp"
 #include "pictures/film_writers.hpp"
 #include "pictures/load_module.hpp"
 #include "pictures/module.hpp"
 #include "pictures/palette.hpp"
-#include "pictures/unfinished_file.hpp"
 
 namespace raymarch::pictures
 {
@@ -16,10 +16,9 @@ class GifFilm final : public FilmWriter
 {
   public:
     GifFilm(const std::string& path, engine::PictureSize size, unsigned frames_per_second,
-            Unfinished unfinished, OutputFile file)
+            UnfinishedFile file)
         : FilmWriter(path, size)
         , frames_per_second_(frames_per_second)
-        , unfinished_(std::move(unfinished))
         , file_(std::move(file))
     {}
 
@@ -43,9 +42,7 @@ class GifFilm final : public FilmWriter
     {
         if (auto result = outcome(encoder_->finish()); !result)
             return result;
-        if (auto result = file_.close(); !result)
-            return result;
-        return publish(unfinished_.path(), path());
+        return file_.finish();
     }
 
     /// What the file said comes first: the encoder does not know of it.
@@ -67,8 +64,7 @@ class GifFilm final : public FilmWriter
     }
 
     unsigned frames_per_second_;
-    Unfinished unfinished_;
-    OutputFile file_; // open until the encoder, which ends the file when it goes, is gone
+    UnfinishedFile file_; // open until the encoder, which ends the file when it goes, is gone
     Result<void> written_;
     std::unique_ptr<GifEncoder> encoder_;
 };
@@ -84,14 +80,10 @@ Result<std::unique_ptr<FilmWriter>> open_gif(const std::string& path, engine::Pi
                                 path + ": writing .gif needs the module " + module_file +
                                     ", which is not installed; a sequence of .ppm or .tga "
                                     "pictures does not"));
-    auto unfinished = Unfinished::file(path);
-    if (!unfinished)
-        return fail(unfinished.error());
-    auto file = OutputFile::open(unfinished->path(), path);
+    auto file = UnfinishedFile::open(path);
     if (!file)
         return fail(file.error());
-    auto film = std::make_unique<GifFilm>(path, size, frames_per_second, *std::move(unfinished),
-                                          *std::move(file));
+    auto film = std::make_unique<GifFilm>(path, size, frames_per_second, *std::move(file));
     if (auto begun = film->open(function, size); !begun)
         return fail(begun.error());
     return film;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// A film as an MP4, by the video module.
+#include "base/unfinished_file.hpp"
 #include "pictures/film_writers.hpp"
 #include "pictures/load_module.hpp"
 #include "pictures/module.hpp"
-#include "pictures/unfinished_file.hpp"
 
 #include <filesystem>
 #include <system_error>
@@ -17,7 +17,7 @@ namespace
 class Mp4Film final : public FilmWriter
 {
   public:
-    Mp4Film(const std::string& path, engine::PictureSize size, Unfinished unfinished,
+    Mp4Film(const std::string& path, engine::PictureSize size, UnfinishedFile unfinished,
             std::unique_ptr<VideoEncoder> encoder)
         : FilmWriter(path, size)
         , unfinished_(std::move(unfinished))
@@ -39,10 +39,10 @@ class Mp4Film final : public FilmWriter
             return fail(plain_error(ErrorKind::InputOutput,
                                     path() + ": OpenCV could not write all frames; is there room "
                                              "on the disk?"));
-        return publish(unfinished_.path(), path());
+        return unfinished_.finish();
     }
 
-    Unfinished unfinished_; // is removed after the encoder has let go of it
+    UnfinishedFile unfinished_; // is removed after the encoder has let go of it
     std::unique_ptr<VideoEncoder> encoder_;
 };
 
@@ -57,7 +57,7 @@ Result<std::unique_ptr<FilmWriter>> open_mp4(const std::string& path, engine::Pi
                                 path + ": writing .mp4 needs the module " + video_module_file +
                                     ", which is built where OpenCV's videoio is installed; .gif "
                                     "and a sequence of .png pictures do without"));
-    auto unfinished = Unfinished::file(path);
+    auto unfinished = UnfinishedFile::open(path);
     if (!unfinished)
         return fail(unfinished.error());
     // FFmpeg takes what stands before a colon for a protocol, but not in a name that begins with /.

@@ -42,10 +42,11 @@ Result<engine::Image> decode_netpbm(std::string_view bytes)
     if (!grey && !bytes.starts_with("P6"))
         return fail(wrong("is no binary PGM or PPM picture (P5, P6)"));
     bytes.remove_prefix(2);
+    const bool apart = !bytes.empty() && (is_space(bytes[0]) || bytes[0] == '#');
     const auto width = take_number(bytes);
     const auto height = take_number(bytes);
     const auto maximum = take_number(bytes);
-    if (!width || !height || !maximum || *width == 0 || *height == 0 || bytes.empty() ||
+    if (!apart || !width || !height || !maximum || *width == 0 || *height == 0 || bytes.empty() ||
         !is_space(bytes[0]))
         return fail(wrong("has no header of width, height and maximum"));
     if (*maximum != 255 && *maximum != 15)

@@ -31,6 +31,10 @@ class EchoEditor
 
     void reset() noexcept { *this = EchoEditor{}; }
 
+    /// Whether the last byte was a CR: an LF that comes next belongs to it.
+    [[nodiscard]] bool after_cr() const noexcept { return after_cr_; }
+    void set_after_cr(bool after_cr) noexcept { after_cr_ = after_cr; }
+
   private:
     std::array<char, max_line_length + 1> line_{};
     std::size_t size_ = 0;

@@ -44,7 +44,7 @@ struct ErrorRow
 // Laid out by hand: one row a code.
 // clang-format off
 inline constexpr std::array errors = {
-    ErrorRow{ErrorCode::TooLong,        "TOO_LONG",        "the line is longer than 1024 bytes; it was dropped up to its LF"},
+    ErrorRow{ErrorCode::TooLong,        "TOO_LONG",        "the line is longer than 1024 bytes; it was dropped up to its ending"},
     ErrorRow{ErrorCode::BadByte,        "BAD_BYTE",        "a byte other than 0x20-0x7E and TAB"},
     ErrorRow{ErrorCode::Checksum,       "CHECKSUM",        "the line's *HH is no hex number, or not the XOR of the bytes before the *, or is missing where it is required"},
     ErrorRow{ErrorCode::Syntax,         "SYNTAX",          "not KEY=VALUE pairs joined by commas"},
@@ -59,7 +59,7 @@ inline constexpr std::array errors = {
     ErrorRow{ErrorCode::Argument,       "ARGUMENT",        "a command's words are wrong or missing"},
     ErrorRow{ErrorCode::Hardware,       "HARDWARE",        "there is no register block, or it read back something else than was written"},
     ErrorRow{ErrorCode::Locked,         "LOCKED",          "writes are locked by a switch on the board"},
-    ErrorRow{ErrorCode::Busy,           "BUSY",            "the state cannot be taken now"},
+    ErrorRow{ErrorCode::Busy,           "BUSY",            "another host has switched the accelerator before this was done, or all places for clients are taken"},
     ErrorRow{ErrorCode::Storage,        "STORAGE",         "there is no state file, or it cannot be read or written"},
 };
 // clang-format on

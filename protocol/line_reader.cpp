@@ -2,52 +2,51 @@
 #include "protocol/line_reader.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace raymarch::protocol
 {
-
-Line LineReader::complete(std::string_view bytes) noexcept
+namespace
 {
-    size_ = 0;
-    if (bytes.ends_with('\r'))
-        bytes.remove_suffix(1);
-    if (bytes.size() > max_line_length)
-        return {.bytes = {}, .too_long = true};
-    return {.bytes = bytes};
+
+/// The position of the first CR or LF, or the size. Looks no further than the ending of the longest
+/// line can stand, so that a chunk of many lines is not searched again for each of them.
+std::size_t find_ending(std::string_view bytes) noexcept
+{
+    bytes = bytes.substr(0, max_line_length + 1);
+    bytes = bytes.substr(0, bytes.find('\n'));
+    return std::min(bytes.find('\r'), bytes.size());
 }
+
+} // namespace
 
 std::optional<Line> LineReader::next(std::string_view& bytes) noexcept
 {
     while (!bytes.empty()) {
-        const std::size_t end = bytes.find('\n');
-        const bool ends = end != std::string_view::npos;
-        const std::string_view piece = bytes.substr(0, ends ? end : bytes.size());
+        if (std::exchange(after_cr_, false) && bytes.front() == '\n') {
+            bytes.remove_prefix(1);
+            continue;
+        }
+        const std::size_t end = find_ending(bytes);
+        const bool ends = end < bytes.size() && (bytes[end] == '\n' || bytes[end] == '\r');
+        const std::string_view piece = bytes.substr(0, end);
+        after_cr_ = ends && bytes[end] == '\r';
+        bytes.remove_prefix(end + (ends ? 1 : 0));
         if (dropping_) {
-            bytes.remove_prefix(piece.size() + (ends ? 1 : 0));
             dropping_ = !ends;
             continue;
         }
-        if (ends && size_ == 0) { // the whole line stands in this chunk: no copy
-            bytes.remove_prefix(end + 1);
-            return complete(piece);
-        }
+        if (ends && size_ == 0 && piece.size() <= max_line_length)
+            return Line{.bytes = piece}; // the whole line stands in this chunk: no copy
 
-        const std::size_t room = buffer_.size() - size_;
-        const std::size_t taken = std::min(room, piece.size());
+        const std::size_t taken = std::min(buffer_.size() - size_, piece.size());
         std::copy_n(piece.data(), taken, buffer_.data() + size_);
         size_ += taken;
-        // A full buffer is still a line of the greatest length if its last byte is the CR of CR LF.
-        const bool overflow =
-            taken < piece.size() || (size_ == buffer_.size() && buffer_.back() != '\r');
-        if (overflow) {
-            bytes.remove_prefix(piece.size() + (ends ? 1 : 0));
-            size_ = 0;
-            dropping_ = !ends;
-            return Line{.bytes = {}, .too_long = true};
-        }
-        bytes.remove_prefix(taken + (ends ? 1 : 0));
-        if (ends)
-            return complete({buffer_.data(), size_});
+        const bool too_long = taken < piece.size();
+        if (!ends && !too_long)
+            continue;
+        dropping_ = !ends;
+        return Line{.bytes = {buffer_.data(), std::exchange(size_, 0)}, .too_long = too_long};
     }
     return std::nullopt;
 }
@@ -55,15 +54,10 @@ std::optional<Line> LineReader::next(std::string_view& bytes) noexcept
 std::optional<Line> LineReader::finish() noexcept
 {
     dropping_ = false;
+    after_cr_ = false;
     if (size_ == 0)
         return std::nullopt;
-    return complete({buffer_.data(), size_});
-}
-
-void LineReader::reset() noexcept
-{
-    size_ = 0;
-    dropping_ = false;
+    return Line{.bytes = {buffer_.data(), std::exchange(size_, 0)}};
 }
 
 } // namespace raymarch::protocol

@@ -11,7 +11,7 @@
 namespace raymarch::protocol
 {
 
-/// The longest line, without LF and without the one CR before it.
+/// The longest line in bytes, without its ending.
 inline constexpr std::size_t max_line_length = 1024;
 
 /// One line without its ending. Views point into the reader or into the bytes given to it, and live
@@ -19,11 +19,11 @@ inline constexpr std::size_t max_line_length = 1024;
 struct Line
 {
     std::string_view bytes;
-    bool too_long = false; ///< the line had to be dropped; `bytes` is empty
+    bool too_long = false; ///< the line had to be dropped; `bytes` is its first max_line_length
 };
 
-/// Collects bytes until a line is complete. An over-long line is reported once, as soon as it is
-/// known to be one, and everything up to its LF is dropped.
+/// Collects bytes until a line is complete. LF, CR, and CR LF each end one. An over-long line is
+/// reported once, as soon as it is known to be one, and everything up to its ending is dropped.
 class LineReader
 {
   public:
@@ -35,17 +35,20 @@ class LineReader
     [[nodiscard]] std::optional<Line> finish() noexcept;
 
     /// Forgets an unfinished line: the other side hung up.
-    void reset() noexcept;
+    void reset() noexcept { *this = LineReader{}; }
+
+    /// Whether the last line ended with a CR: an LF that comes next belongs to it.
+    [[nodiscard]] bool after_cr() const noexcept { return after_cr_; }
+    void set_after_cr(bool after_cr) noexcept { after_cr_ = after_cr; }
 
     /// How many bytes of an unfinished line are held.
     [[nodiscard]] std::size_t pending() const noexcept { return size_; }
 
   private:
-    [[nodiscard]] Line complete(std::string_view bytes) noexcept;
-
-    std::array<char, max_line_length + 1> buffer_{}; // one more for the CR
+    std::array<char, max_line_length> buffer_{};
     std::size_t size_ = 0;
     bool dropping_ = false;
+    bool after_cr_ = false;
 };
 
 } // namespace raymarch::protocol

@@ -68,18 +68,33 @@ void write_row(FrameWriter& writer, const GreyPicture& picture, std::size_t row)
     }
 }
 
-/// The frame without its check sequence, if it has one and it is right; empty when the length is
-/// none of ours.
-Bytes without_fcs(Bytes frame) noexcept
+std::uint32_t type_of(Bytes frame, std::size_t at) noexcept
 {
-    for (const std::size_t size : {start_frame_bytes, row_frame_bytes}) {
-        if (frame.size() == size)
-            return frame;
-        if (frame.size() == size + fcs_bytes &&
-            std::ranges::equal(frame.last(fcs_bytes),
-                               low_byte_first(check_sequence(frame.first(size)))))
-            return frame.first(size);
+    return frame.size() < at + 2 ? 0U : static_cast<std::uint32_t>(frame[at] << 8 | frame[at + 1]);
+}
+
+/// What switches put behind the addresses: a tag of IEEE 802.1Q, or several (802.1ad; 9100 is what
+/// older switches write). No frame of ours has such a byte there.
+std::size_t tag_bytes(Bytes frame) noexcept
+{
+    std::size_t size = 0;
+    for (;; size += 4) {
+        const std::uint32_t type = type_of(frame, addresses.size() + size);
+        if (type != 0x8100 && type != 0x88A8 && type != 0x9100)
+            return size;
     }
+}
+
+/// From the type to the last byte of data, without a check sequence if it has one and it is right,
+/// which covers the tags, too; empty when the length is none of ours.
+Bytes content(Bytes frame, std::size_t tags) noexcept
+{
+    for (const std::size_t size : {start_frame_bytes + tags, row_frame_bytes + tags})
+        if (frame.size() == size ||
+            (frame.size() == size + fcs_bytes &&
+             std::ranges::equal(frame.last(fcs_bytes),
+                                low_byte_first(check_sequence(frame.first(size))))))
+            return frame.first(size).subspan(addresses.size() + tags);
     return {};
 }
 
@@ -111,11 +126,15 @@ FrameFate PictureAssembler::judge(Bytes frame)
     if (frame.size() < addresses.size() ||
         !std::ranges::equal(frame.first(addresses.size()), addresses))
         return FrameFate::Foreign;
-    frame = without_fcs(frame);
-    if (frame.empty() || frame[addresses.size()] != type_byte)
+    constexpr std::uint32_t least_type = 0x0600; // below, Ethernet has lengths
+    const std::size_t tags = tag_bytes(frame);
+    const Bytes typed = content(frame, tags);
+    if (typed.empty() && type_of(frame, addresses.size() + tags) >= least_type)
+        return FrameFate::Foreign;
+    if (typed.empty() || typed.front() != type_byte)
         return FrameFate::Damaged;
-    const Bytes data = frame.subspan(data_offset);
-    if (frame.size() == start_frame_bytes) {
+    const Bytes data = typed.subspan(1);
+    if (data.size() == start_data.size()) {
         if (!std::ranges::equal(data, start_data))
             return FrameFate::Damaged;
         ++now_;

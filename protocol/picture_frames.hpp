@@ -76,7 +76,7 @@ inline constexpr std::uint32_t nanoseconds_a_clock = 20;
 
 /// What a frame turned out to be.
 enum class FrameFate : std::uint8_t {
-    Foreign, ///< between other addresses, or shorter than two addresses
+    Foreign, ///< between other addresses, shorter than two addresses, or of another protocol
     Start,   ///< a picture begins
     Row,     ///< taken, for the first time since the last start
     Doubled, ///< taken, though this row has come since the last start
@@ -85,7 +85,8 @@ enum class FrameFate : std::uint8_t {
 };
 inline constexpr std::size_t frame_fates = 6;
 
-/// Puts a picture together from the frames of a receiver, in any order.
+/// Puts a picture together from the frames of a receiver, in any order. Tags of virtual networks
+/// (IEEE 802.1Q) are passed over.
 ///
 /// Rows that came before a start frame may be of another picture. They are kept as long as nothing
 /// speaks against them, which makes the order of frames unimportant; the first row that came

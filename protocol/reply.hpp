@@ -15,9 +15,11 @@
 namespace raymarch::protocol
 {
 
+/// The longest answer that any request has (HELP) fits in so many bytes; a test proves it.
+inline constexpr std::size_t longest_reply = 8192;
+
 /// Writes the reply lines of one request into a buffer of its own; allocates nothing. Text beyond
-/// the buffer is cut off, which `overflowed` reports: the buffer holds the longest answer that any
-/// request has (HELP; a test proves it).
+/// the buffer is cut off, which `overflowed` reports.
 class ReplyWriter
 {
   public:
@@ -38,7 +40,7 @@ class ReplyWriter
     [[nodiscard]] bool overflowed() const noexcept { return overflowed_; }
 
   private:
-    std::array<char, 8192> buffer_{};
+    std::array<char, longest_reply> buffer_{};
     std::size_t size_ = 0;
     std::size_t line_begin_ = 0;
     bool checksummed_ = false;

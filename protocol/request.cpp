@@ -2,6 +2,7 @@
 #include "protocol/request.hpp"
 
 #include "protocol/checksum.hpp"
+#include "protocol/unanswered.hpp"
 
 #include <algorithm>
 #include <array>
@@ -92,6 +93,10 @@ std::optional<Fault> check_mark(Request& request, bool require_checksum) noexcep
 Request read_request(const Line& line, bool require_checksum) noexcept
 {
     Request request{.text = {.bytes = line.bytes}};
+    if (looks_like_reply(line.bytes)) {
+        request.kind = Request::Kind::Reply;
+        return request;
+    }
     if (line.too_long)
         return faulty(request, {.code = ErrorCode::TooLong});
     if (request.text.trimmed().empty())

@@ -20,12 +20,17 @@ struct Request
 {
     enum class Kind : std::uint8_t {
         Blank,   ///< only spaces and tabs: no reply
+        Reply,   ///< a reply that an echo sent back: no reply either
         Faulty,  ///< `fault` says why
         Frame,   ///< `text` is the whole frame
         Command, ///< `command` with its words in `text`, trimmed
     };
     Kind kind = Kind::Blank;
     bool checksummed = false; ///< the line carried *HH, so the reply does too
+    [[nodiscard]] bool answered() const noexcept
+    {
+        return kind != Kind::Blank && kind != Kind::Reply;
+    }
     Text text{};
     const CommandRow* command = nullptr;
     std::size_t command_column = 0; ///< of the command's word

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Writes the documents that are made from the tables, or says which of them are stale.
+#include "drivers/atomic_file.hpp"
 #include "tools/generated.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <sysexits.h>
 
 #include <filesystem>
 #include <fstream>
@@ -16,6 +18,7 @@ namespace
 {
 
 namespace fs = std::filesystem;
+namespace drivers = raymarch::drivers;
 namespace tools = raymarch::tools;
 
 /// One generated text: a whole file, or what stands between two markers of one.
@@ -94,7 +97,12 @@ int main(int argc, char** argv)
             continue;
         }
         fs::create_directories(path.parent_path());
-        std::ofstream(path) << wanted;
+        if (const auto written = drivers::replace_file(path, drivers::as_bytes(wanted),
+                                                       drivers::Durability::BestEffort);
+            !written) {
+            fmt::print(stderr, "dump_tables: {}\n", written.error().message);
+            return EX_IOERR;
+        }
         fmt::print("{}: written\n", document.path);
     }
     return stale ? 1 : 0;

@@ -205,6 +205,11 @@ TEST(Config, ActionsGetLinesAndLoseThem)
     Config config = default_config();
     ASSERT_TRUE(set_line(config, "reset", "keys:4,active-low,pull-up"));
     EXPECT_EQ(line_of(config, "reset"), drivers::parse_line_spec("keys:4,active-low,pull-up"));
+    ASSERT_TRUE(set_line(config, "reset", "GPIO 17|'J8:3'"));
+    EXPECT_EQ(line_of(config, "reset")->places.at(0).name, "GPIO 17");
+    EXPECT_EQ(line_of(config, "reset")->places.at(1).name, "J8:3");
+    ASSERT_TRUE(set_line(config, "lock", "'none'"));
+    EXPECT_TRUE(line_of(config, "lock"));
     ASSERT_TRUE(set_line(config, "lock", "none"));
     EXPECT_FALSE(line_of(config, "lock"));
     EXPECT_TRUE(line_of(config, "turn"));
@@ -290,6 +295,25 @@ TEST_F(ConfigFile, StringsNumbersAndBooleans)
     EXPECT_EQ(config.emulated.threads, 3U);
     EXPECT_EQ(config.emulated.size, (protocol::PictureSize{8, 6}));
     EXPECT_EQ(config.replies, Replies::All); // what is not named stays
+}
+
+/// Each of them would end the program: toml++ asserts what it should report.
+TEST_F(ConfigFile, WhatTheParserFailsOverIsRefused)
+{
+    for (const std::string_view header : {"[", "[[", "[!", "[[!", "[.]", "[[[x]]]", "[\xC3\xA9]",
+                                          "[ ", "[ \t", "[[ =", "  [#", "[\r", "[ [gpio_lines]"})
+        for (const std::string_view end : {"", "\n", "\nreset = \"btn0\"\n"})
+            expect_error("# first\n" + std::string(header) + std::string(end), 2,
+                         "header of a table");
+    for (const char control : {'\0', '\x01', '\x0B', '\x0C', '\x1B', '\x7F'}) {
+        const std::string sign(1, control);
+        for (const std::string& text : {sign, "serial" + sign + " = \"none\"", "[[" + sign,
+                                        "[" + sign + "]", "serial = \"" + sign + "\"", "#" + sign})
+            expect_error("\n" + text, 2, "control character");
+    }
+    EXPECT_TRUE(read(" [ gpio_lines ] # buttons\r\n\treset = \"btn0\"\r\n"));
+    EXPECT_TRUE(read("[\"gpio_lines\"]\n"));
+    expect_error("[]\n", 1, "");
 }
 
 TEST_F(ConfigFile, TheTableOfLines)

@@ -223,7 +223,7 @@ TEST(Controller, StatusCountsRefusalsByCode)
     Service service;
     static_cast<void>(service.say("NOPE\nNOPE\nFX=2\nSET ZM=4\n"));
     EXPECT_EQ(service.say("STATUS\n"), "OK accelerator=marcher serial=up animate=0 locked=off "
-                                       "applied=1 rejected=3 rejected.RANGE=1 "
+                                       "applied=1 rejected=3 echoed=0 rejected.RANGE=1 "
                                        "rejected.UNKNOWN_COMMAND=2\r\n");
 }
 

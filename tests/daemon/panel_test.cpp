@@ -4,13 +4,16 @@
 /// to come, and what is not to come is looked for after something that comes later.
 #include "daemon/panel.hpp"
 
+#include "base/log.hpp"
 #include "protocol/accelerators.hpp"
 #include "tests/fakes/memory_bank.hpp"
 #include "tests/fakes/service.hpp"
+#include "tests/fakes/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -36,10 +39,12 @@ class PanelTest : public testing::Test
 
     void start()
     {
-        panel.emplace(config.gpio, loop, service.controller, service.board,
-                      [this](const drivers::LineSpec& spec, drivers::LineUse use) {
-                          return bank.open(spec, use);
-                      });
+        panel.emplace(
+            config.gpio, loop, service.controller, service.board,
+            [this](const drivers::LineSpec& spec, drivers::LineUse use) {
+                return bank.open(spec, use);
+            },
+            devices);
         panel->start();
     }
 
@@ -92,6 +97,8 @@ class PanelTest : public testing::Test
     test::MemoryBank bank;
     test::Service service;
     Config config = default_config();
+    test::TemporaryFolder folder;
+    std::string devices = folder / "";
     EventLoop loop = *EventLoop::open();
     std::optional<Panel> panel;
 };
@@ -278,6 +285,74 @@ TEST_F(PanelTest, WithoutAnyLineTheServiceGoesOn)
     const std::size_t reported = log.find("no GPIO line is named led5_r");
     ASSERT_NE(reported, std::string::npos) << log;
     EXPECT_EQ(log.find("no GPIO line", log.find('\n', reported)), std::string::npos) << "once";
+}
+
+/// Twice at the start, as a chip may come in between; then only when one appears.
+TEST_F(PanelTest, WithoutAnyChipNothingIsLookedForUntilOneComes)
+{
+    ASSERT_TRUE(set_line(config, "reset", "/dev/gpiochip0:3"));
+    bank.no_chip = true;
+    const int all = static_cast<int>(actions().size());
+    log::set_level(log::Level::Info);
+    testing::internal::CaptureStderr();
+    start();
+    EXPECT_EQ(status(), " gpio=down");
+    bool over = false;
+    const Source later = loop.add_timer([&] { over = true; }); // looks would have come twice
+    ASSERT_TRUE(play({
+        {nothing, [&] { return bank.attempts == 2 * all; }},
+        {[&] {
+             later->arm(milliseconds{900});
+             test::write_text(folder / "ttyUSB7", "");
+         },
+         [&] { return over; }},
+        {[&] {
+             EXPECT_EQ(bank.attempts, 2 * all);
+             test::write_text(folder / "gpiochip0", ""); // its driver may not be ready
+         },
+         [&] { return bank.attempts == 3 * all; }},
+        {[&] {
+             bank.no_chip = false;
+             std::filesystem::rename(folder / "ttyUSB7", folder / "gpiochip1");
+         },
+         [&] { return bank.open_count() == actions().size(); }},
+    }));
+    EXPECT_EQ(status(), " gpio=up");
+    const std::string log = testing::internal::GetCapturedStderr();
+    log::set_level(log::Level::Notice);
+    EXPECT_NE(log.find("there is no GPIO chip; one that comes is used"), std::string::npos) << log;
+    EXPECT_EQ(log.find("GPIO chip", log.find('\n')), std::string::npos) << "once: " << log;
+}
+
+/// The chip's name is there before its permissions are: then lines are looked for as ever.
+TEST_F(PanelTest, AChipThatCannotBeOpenedYetIsTriedAgain)
+{
+    bank.no_chip = true;
+    start();
+    const int all = static_cast<int>(actions().size());
+    ASSERT_TRUE(play({
+        {nothing, [&] { return bank.attempts == 2 * all; }},
+        {[&] {
+             bank.no_chip = false;
+             for (const Action& action : actions())
+                 bank.missing.insert(std::string(action.line));
+             test::write_text(folder / "gpiochip0", "");
+         },
+         [&] { return bank.attempts >= 4 * all; }},
+        {[&] { bank.missing.clear(); }, [&] { return status() == " gpio=up"; }},
+    }));
+}
+
+TEST_F(PanelTest, WhereNobodyTellsOfChipsTheyAreLookedFor)
+{
+    devices = folder / "no such folder";
+    bank.no_chip = true;
+    start();
+    const int all = static_cast<int>(actions().size());
+    ASSERT_TRUE(play({
+        {nothing, [&] { return bank.attempts >= 3 * all; }},
+        {[&] { bank.no_chip = false; }, [&] { return status() == " gpio=up"; }},
+    }));
 }
 
 TEST_F(PanelTest, ALineThatGoesAwayIsFoundAgain)

@@ -101,7 +101,19 @@ TEST(StateFile, AnotherVersionIsRefused)
     EXPECT_NE(result.error().message.find("version"), std::string::npos);
 }
 
-TEST(StateFile, StatesOfAnUnknownAcceleratorAreLeftOut)
+TEST(StateFile, StatesOfAnUnknownAcceleratorAreKept)
+{
+    const std::string unknown = "last unheard_of CX=0\nsaved unheard_of CX=1,CY=2\n";
+    const auto result =
+        parse_state_file(checked(unknown + "saved marcher " + default_frame + "\n"));
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_EQ(result->others, unknown);
+    const auto back = parse_state_file(format_state_file(*result));
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_EQ(*back, *result);
+}
+
+TEST(StateFile, StatesBesideThoseOfAnUnknownAcceleratorAreRead)
 {
     auto result =
         parse_state_file(checked("last unheard_of CX=0\nsaved marcher " + default_frame + "\n"));

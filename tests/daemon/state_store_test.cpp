@@ -9,10 +9,13 @@
 #include <gtest/gtest.h>
 
 #include <sys/inotify.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <filesystem>
 #include <string>
 
 namespace raymarch::daemon
@@ -21,110 +24,337 @@ namespace
 {
 
 constexpr const protocol::Accelerator& accelerator = protocol::marcher::description;
+constexpr const protocol::Accelerator& other = protocol::fractal::description;
 
-PersistedStates with_zoom(std::int64_t code)
+protocol::State with_zoom(std::int64_t code)
 {
     protocol::State state = protocol::initial_state(accelerator);
     state.codes[protocol::marcher::ZM] = code;
+    return state;
+}
+
+/// Whether `store` saves it, by its own word.
+bool save(StateStore& store, const protocol::State& state)
+{
+    return store.save(accelerator, state).get() == state;
+}
+
+/// What a service that starts now finds.
+std::optional<protocol::State> last_in(const std::string& path)
+{
+    StateStore store(path, {});
+    store.read();
+    return store.last(accelerator);
+}
+
+std::string file_of(const protocol::State& state)
+{
     PersistedStates states;
-    states.of(accelerator).last = state;
-    return states;
+    states.of(accelerator) = {.last = state, .saved = state};
+    return format_state_file(states);
 }
 
-TEST(StateStore, WithoutAFileThereIsNothing)
+class Store : public testing::Test
 {
+  protected:
     const test::TemporaryFolder folder;
-    const StateStore store(folder / "state");
-    const auto loaded = store.load();
-    ASSERT_FALSE(loaded);
-    EXPECT_EQ(loaded.error().kind, ErrorKind::Unavailable);
-    EXPECT_NE(loaded.error().message.find(folder / "state"), std::string::npos);
+    const std::string path = folder / "state";
+};
+
+TEST_F(Store, WithoutAFileThereIsNothing)
+{
+    StateStore store(path, {});
+    testing::internal::CaptureStderr();
+    store.read();
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), ""); // told from `info` on
+    EXPECT_FALSE(store.last(accelerator));
+    EXPECT_FALSE(store.load(accelerator).get());
 }
 
-TEST(StateStore, WritesNow)
+TEST_F(Store, WithoutAPathNothingIsKept)
 {
-    const test::TemporaryFolder folder;
-    StateStore store(folder / "state");
-    ASSERT_TRUE(store.write_now(with_zoom(1)));
-    EXPECT_EQ(store.load().value(), with_zoom(1));
-    ASSERT_TRUE(store.write_now(with_zoom(2)));
-    EXPECT_EQ(StateStore(folder / "state").load().value(), with_zoom(2));
-    EXPECT_FALSE(std::filesystem::exists(folder / "state.new"));
+    StateStore store("", {});
+    store.read();
+    store.changed(accelerator, with_zoom(1));
+    EXPECT_FALSE(save(store, with_zoom(1)));
+    EXPECT_FALSE(store.load(accelerator).get());
 }
 
-TEST(StateStore, WritesLater)
+TEST_F(Store, WhatIsSavedIsInTheFile)
 {
-    const test::TemporaryFolder folder;
+    StateStore store(path, {});
+    ASSERT_TRUE(save(store, with_zoom(1)));
+    EXPECT_EQ(test::read_text(path), file_of(with_zoom(1)));
+    ASSERT_TRUE(save(store, with_zoom(2)));
+    EXPECT_EQ(test::read_text(path), file_of(with_zoom(2)));
+    EXPECT_EQ(store.load(accelerator).get(), with_zoom(2));
+    EXPECT_EQ(last_in(path), with_zoom(2));
+    EXPECT_EQ(test::names_in(folder / ""),
+              std::vector<std::string>{"state"}); // and nothing else is left
+}
+
+/// Its OK says that the file holds the state; what the file held before does not matter.
+TEST_F(Store, ASaveLooksAtTheFile)
+{
+    StateStore store(path, {});
+    ASSERT_TRUE(save(store, with_zoom(9)));
+    for (const std::string& content : {file_of(with_zoom(1)), std::string()}) {
+        test::write_text(path, content);
+        ASSERT_TRUE(save(store, with_zoom(9)));
+        EXPECT_EQ(test::read_text(path), file_of(with_zoom(9)));
+    }
+    std::filesystem::remove(path);
+    ASSERT_TRUE(save(store, with_zoom(9)));
+    EXPECT_EQ(test::read_text(path), file_of(with_zoom(9)));
+}
+
+TEST_F(Store, WhatTheFileHoldsIsNotWrittenAgain)
+{
+    StateStore store(path, {});
+    ASSERT_TRUE(save(store, with_zoom(1)));
+    struct stat before = {};
+    ASSERT_EQ(::stat(path.c_str(), &before), 0);
+    ASSERT_TRUE(save(store, with_zoom(1)));
+    struct stat after = {};
+    ASSERT_EQ(::stat(path.c_str(), &after), 0);
+    EXPECT_EQ(after.st_ino, before.st_ino);
+}
+
+TEST_F(Store, AChangeIsWrittenLater)
+{
     const UniqueFd moves(::inotify_init1(IN_CLOEXEC | IN_NONBLOCK));
     ASSERT_GE(::inotify_add_watch(moves.get(), (folder / "").c_str(), IN_MOVED_TO), 0);
-    StateStore store(folder / "state");
-    store.write_later(with_zoom(1));
+    StateStore store(path, {});
+    store.changed(accelerator, with_zoom(1));
+    store.changed(accelerator, with_zoom(2));
+    EXPECT_EQ(store.last(accelerator), with_zoom(2));
     ASSERT_TRUE(test::readable(moves.get()));
-    EXPECT_EQ(store.load().value(), with_zoom(1));
+    EXPECT_EQ(last_in(path), with_zoom(2));
 }
 
-TEST(StateStore, AWrongFileIsNamed)
+TEST_F(Store, AChangeIsWrittenAtTheEnd)
 {
-    const test::TemporaryFolder folder;
-    test::write_text(folder / "state", "no state\n");
-    const auto loaded = StateStore(folder / "state").load();
-    ASSERT_FALSE(loaded);
-    EXPECT_EQ(loaded.error().kind, ErrorKind::BadData);
-    EXPECT_TRUE(loaded.error().message.starts_with(folder / "state")) << loaded.error().message;
+    {
+        StateStore store(path, {});
+        store.changed(accelerator, with_zoom(1));
+    }
+    EXPECT_EQ(last_in(path), with_zoom(1));
 }
 
-TEST(StateStore, AFileThatIsNoStateFileAtAllIsNotReadWhole)
+TEST_F(Store, TheLastAndTheSavedStateAreTwo)
 {
-    const test::TemporaryFolder folder;
-    test::write_text(folder / "state", std::string(70'000, 'x'));
-    const auto loaded = StateStore(folder / "state").load();
-    ASSERT_FALSE(loaded);
-    EXPECT_EQ(loaded.error().kind, ErrorKind::BadData);
+    {
+        StateStore store(path, {});
+        ASSERT_TRUE(save(store, with_zoom(1)));
+        store.changed(accelerator, with_zoom(2));
+        store.changed(other, protocol::initial_state(other));
+        EXPECT_EQ(store.load(accelerator).get(), with_zoom(1));
+    }
+    StateStore store(path, {});
+    store.read();
+    EXPECT_EQ(store.last(accelerator), with_zoom(2));
+    EXPECT_EQ(store.load(accelerator).get(), with_zoom(1));
+    EXPECT_EQ(store.load(other).get(), protocol::initial_state(other)); // saved none: the last
 }
 
-TEST(StateStore, AFolderThatIsNotThereIsAnErrorEachTimeAndAWarningOnce)
+TEST_F(Store, TellsThatAnAnswerIsThere)
 {
-    const test::TemporaryFolder folder;
-    StateStore store(folder / "missing/state");
+    std::atomic<int> told = 0;
+    {
+        StateStore store(path, [&] { ++told; });
+        ASSERT_TRUE(save(store, with_zoom(1)));
+        static_cast<void>(store.load(accelerator).get());
+    }
+    EXPECT_EQ(told, 2);
+}
+
+TEST_F(Store, NobodyNeedsToTakeAnAnswer)
+{
+    {
+        StateStore store(path, {});
+        static_cast<void>(store.save(accelerator, with_zoom(3)));
+    }
+    EXPECT_EQ(last_in(path), with_zoom(3));
+}
+
+TEST_F(Store, ManySavesAtOnceAreAllAnswered)
+{
+    StateStore store(path, {});
+    std::vector<StoredState> answers;
+    answers.reserve(50);
+    for (int i = 0; i < 50; ++i)
+        answers.push_back(store.save(accelerator, with_zoom(i)));
+    for (int i = 0; i < 50; ++i)
+        EXPECT_EQ(answers[static_cast<std::size_t>(i)].get(), with_zoom(i));
+    EXPECT_EQ(test::read_text(path), file_of(with_zoom(49)));
+}
+
+/// A copy from earlier that somebody puts there while the service runs.
+TEST_F(Store, AFileThatSomebodyPutsThereIsLoaded)
+{
+    {
+        StateStore store(path, {});
+        ASSERT_TRUE(save(store, with_zoom(1)));
+        test::write_text(path, file_of(with_zoom(7)));
+        EXPECT_EQ(store.load(accelerator).get(), with_zoom(7));
+        store.changed(accelerator, with_zoom(8));
+    }
+    StateStore store(path, {});
+    store.read();
+    EXPECT_EQ(store.last(accelerator), with_zoom(8));
+    EXPECT_EQ(store.load(accelerator).get(), with_zoom(7));
+}
+
+struct BadFile
+{
+    const char* name;
+    std::string content;
+};
+class BadFiles : public Store, public testing::WithParamInterface<BadFile>
+{};
+INSTANTIATE_TEST_SUITE_P(All, BadFiles,
+                         testing::Values(BadFile{"Text", "no state\n"}, BadFile{"Empty", ""},
+                                         BadFile{"TooLong", std::string(70'000, 'x')},
+                                         BadFile{"Newer", "raymarch-state 2\ncrc32 00000000\n"},
+                                         BadFile{"Cut", file_of(with_zoom(5)).substr(0, 40)},
+                                         BadFile{"Flipped",
+                                                 [] {
+                                                     std::string text = file_of(with_zoom(5));
+                                                     text[20] = static_cast<char>(text[20] ^ 1);
+                                                     return text;
+                                                 }()}),
+                         [](const auto& row) { return row.param.name; });
+
+/// It is told of at once, and kept under another name before anything is written in its place.
+TEST_P(BadFiles, AreKept)
+{
+    test::write_text(path, GetParam().content);
     testing::internal::CaptureStderr();
-    for (int i = 0; i < 3; ++i) {
-        const auto written = store.write_now(with_zoom(1));
-        ASSERT_FALSE(written);
-        EXPECT_EQ(written.error().kind, ErrorKind::InputOutput);
-        EXPECT_NE(written.error().message.find("missing/state"), std::string::npos);
+    {
+        StateStore store(path, {});
+        store.read();
+        EXPECT_EQ(test::read_text(path), GetParam().content);
+        EXPECT_FALSE(store.last(accelerator));
+        EXPECT_FALSE(store.load(accelerator).get());
+        EXPECT_EQ(test::read_text(path), GetParam().content);
+        ASSERT_TRUE(save(store, with_zoom(1)));
+        ASSERT_TRUE(save(store, with_zoom(2)));
+    }
+    const std::string log = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(test::read_text(path), file_of(with_zoom(2)));
+    EXPECT_EQ(test::read_text(path + ".bad"), GetParam().content);
+    EXPECT_NE(log.find("starting from the defaults: " + path), std::string::npos) << log;
+    EXPECT_NE(log.find("kept as " + path + ".bad"), std::string::npos) << log;
+    EXPECT_EQ(std::ranges::count(log, '\n'), 2) << log;
+}
+
+TEST_P(BadFiles, AreKeptWhenTheyComeLater)
+{
+    StateStore store(path, {});
+    store.read();
+    ASSERT_TRUE(save(store, with_zoom(1)));
+    test::write_text(path, GetParam().content);
+    test::write_text(path + ".bad", "an earlier one");
+    testing::internal::CaptureStderr();
+    ASSERT_TRUE(save(store, with_zoom(2)));
+    static_cast<void>(testing::internal::GetCapturedStderr());
+    EXPECT_EQ(test::read_text(path), file_of(with_zoom(2)));
+    EXPECT_EQ(test::read_text(path + ".bad"), "an earlier one");
+    EXPECT_EQ(test::read_text(path + ".bad-2"), GetParam().content);
+}
+
+/// No permission at the start is no reason to write over the file later.
+TEST_F(Store, AFileThatMayNotBeReadIsKept)
+{
+    if (::geteuid() == 0)
+        GTEST_SKIP() << "root may read everything";
+    test::write_text(path, file_of(with_zoom(5)));
+    ASSERT_EQ(::chmod(path.c_str(), 0), 0);
+    testing::internal::CaptureStderr();
+    StateStore store(path, {});
+    store.read();
+    const std::string log = testing::internal::GetCapturedStderr();
+    EXPECT_NE(log.find(path), std::string::npos) << log;
+    ASSERT_EQ(::chmod(path.c_str(), 0600), 0); // and can be read by now
+    testing::internal::CaptureStderr();
+    ASSERT_TRUE(save(store, with_zoom(1)));
+    static_cast<void>(testing::internal::GetCapturedStderr());
+    EXPECT_EQ(test::read_text(path + ".bad"), file_of(with_zoom(5)));
+}
+
+TEST_F(Store, WhatIsNoFileIsLeftAlone)
+{
+    std::filesystem::create_directory(path);
+    testing::internal::CaptureStderr();
+    {
+        StateStore store(path, {});
+        store.read();
+        EXPECT_FALSE(save(store, with_zoom(1)));
+        EXPECT_FALSE(save(store, with_zoom(2)));
+    }
+    const std::string log = testing::internal::GetCapturedStderr();
+    EXPECT_TRUE(std::filesystem::is_directory(path));
+    EXPECT_EQ(std::ranges::count(log, '\n'), 2)
+        << log; // at the start, and when it was to be written
+}
+
+TEST_F(Store, AFifoIsNotWaitedFor)
+{
+    ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+    testing::internal::CaptureStderr();
+    {
+        StateStore store(path, {});
+        store.read();
+        EXPECT_FALSE(save(store, with_zoom(1)));
+        EXPECT_FALSE(store.load(accelerator).get());
+    }
+    static_cast<void>(testing::internal::GetCapturedStderr());
+    EXPECT_TRUE(std::filesystem::is_fifo(path));
+}
+
+TEST_F(Store, AFolderThatIsNotThereIsAWarningOnceAndTheStateIsWrittenWhenItIs)
+{
+    const std::string missing = folder / "missing";
+    testing::internal::CaptureStderr();
+    {
+        StateStore store(missing + "/state", {});
+        store.read();
+        for (int i = 0; i < 3; ++i)
+            EXPECT_FALSE(save(store, with_zoom(i)));
+        store.changed(accelerator, with_zoom(4));
+        std::filesystem::create_directory(missing);
     }
     const std::string log = testing::internal::GetCapturedStderr();
     EXPECT_EQ(std::ranges::count(log, '\n'), 1) << log;
+    EXPECT_NE(log.find(missing + "/state"), std::string::npos) << log;
+    EXPECT_EQ(last_in(missing + "/state"), with_zoom(4));
 }
 
-TEST(StateStore, WhatCouldNotBeWrittenIsStillOwed)
+TEST_F(Store, ASaveThatFailedIsNotWhatIsLoaded)
 {
-    const test::TemporaryFolder folder;
+    StateStore store(path, {});
+    ASSERT_TRUE(save(store, with_zoom(1)));
+    std::filesystem::rename(path, folder / "away");
+    std::filesystem::create_directory(path);
     testing::internal::CaptureStderr();
-    {
-        StateStore store(folder / "missing/state");
-        EXPECT_FALSE(store.behind());
-        store.write_later(with_zoom(1));
-        EXPECT_FALSE(store.write_now(with_zoom(2))); // the older one is dropped, or has failed
-        std::filesystem::create_directory(folder / "missing");
-        EXPECT_TRUE(store.write_now(with_zoom(3)));
-        EXPECT_FALSE(store.behind());
-        EXPECT_EQ(store.load().value(), with_zoom(3));
-    }
+    EXPECT_FALSE(save(store, with_zoom(2)));
+    std::filesystem::remove(path);
+    std::filesystem::rename(folder / "away", path);
     static_cast<void>(testing::internal::GetCapturedStderr());
+    EXPECT_EQ(store.load(accelerator).get(), with_zoom(1));
 }
 
-TEST(StateStore, AnOlderStateNeverFollowsANewerOne)
+/// States of a newer version stay in the file.
+TEST_F(Store, StatesOfUnknownAcceleratorsStay)
 {
-    const test::TemporaryFolder folder;
-    for (std::int64_t code = 0; code < 50; ++code) {
-        {
-            StateStore store(folder / "state");
-            store.write_later(with_zoom(code));
-            ASSERT_TRUE(store.write_now(with_zoom(code + 1000)));
-        } // whatever the worker was doing is over
-        ASSERT_EQ(StateStore(folder / "state").load().value(), with_zoom(code + 1000));
-    }
+    PersistedStates states;
+    states.of(accelerator).last = with_zoom(1);
+    states.others = "last unheard_of CX=0\nsaved unheard_of CX=1\n";
+    test::write_text(path, format_state_file(states));
+    StateStore store(path, {});
+    store.read();
+    ASSERT_TRUE(save(store, with_zoom(2)));
+    EXPECT_NE(test::read_text(path).find(states.others), std::string::npos);
 }
 
 } // namespace

@@ -107,6 +107,33 @@ TEST(FlatTree, AnUnknownTokenOrALengthBehindTheEndIsRefused)
         expect_bad(with_cell(blob, length, wrong), "garbled before byte");
 }
 
+/// As by a token that has become another one: the cells are all there, and the tree is none.
+TEST(FlatTree, NodesThatDoNotCloseAreRefused)
+{
+    const std::string blob = test::overlay_blob();
+    const std::size_t root = begin_of(blob, 2);
+    const std::size_t device = root + 8;
+    const std::size_t property = device + 12;
+    const std::size_t ends = begin_of(blob, 3) - 12;     // two nodes' and the tree's
+    expect_bad(with_cell(blob, ends, 4), "garbled");     // one too few
+    expect_bad(with_cell(blob, ends + 4, 9), "garbled"); // the tree's, too early
+    expect_bad(with_cell(blob, ends + 8, 2), "garbled"); // one too many
+    expect_bad(with_cell(blob, root, 9), "garbled");     // nothing at all
+    expect_bad(with_cell(blob, root, 2), "garbled");     // an end before any node
+    expect_bad(with_cell(with_cell(blob, root, 4), root + 4, 4), "garbled"); // one too many again
+    expect_bad(with_cell(blob, property + 8, 0x7FFF'FFFF), "garbled"); // a name behind the end
+    std::string stray = blob;
+    stray.insert(ends + 8, test::big_endian(3, 4) + std::string(8, '\0')); // outside of any node
+    stray = with_cell(stray, 4, static_cast<std::uint32_t>(stray.size()));
+    stray = with_cell(stray, 12, static_cast<std::uint32_t>(begin_of(blob, 3)) + 12);
+    expect_bad(stray, "garbled");
+    std::string two = blob;
+    two.insert(ends + 8, test::big_endian(1, 4) + std::string(4, '\0') + test::big_endian(2, 4));
+    two = with_cell(two, 4, static_cast<std::uint32_t>(two.size()));
+    two = with_cell(two, 12, static_cast<std::uint32_t>(begin_of(blob, 3)) + 12);
+    expect_bad(two, "garbled"); // a second root
+}
+
 /// Any byte of it wrong, in a block of memory of just its size, so that a look past the end shows.
 TEST(FlatTree, WhatIsGarbledIsReadWithinItsBytes)
 {

@@ -29,11 +29,12 @@ std::string blob()
 }
 
 /// A compressed one: short, so that the tests are quick.
-const test::BitstreamPlan plan{.bytes = 512, .compressed = true};
+const test::BitstreamPlan plan = test::compressed_plan();
 
 LogicFiles files()
 {
-    return {"top.bit", test::make_bit(plan), "top.dtbo", blob()};
+    static const std::string bit = test::make_bit(plan);
+    return {"top.bit", bit, "top.dtbo", blob()};
 }
 
 /// Every file under a folder with what it holds.
@@ -102,8 +103,14 @@ TEST_F(Loading, AWrongFileChangesNothing)
     test::add_platform_device(folder / "sys", "40000000.fabric", {0, 29, 4});
     const auto before = contents(folder / "");
     LogicFiles wrong = files();
-    wrong.bitstream = test::make_bit({.part = "7a35tcpg236", .bytes = 512, .compressed = true});
+    wrong.bitstream = test::make_bit({.part = "7a35tcpg236", .frames = 1});
     expect_failure(wrong, ErrorKind::BadData, "top.bit: it is for part 7a35tcpg236");
+    wrong = files();
+    char& damaged = wrong.bitstream[wrong.bitstream.size() / 2];
+    damaged = static_cast<char>(damaged ^ 1);
+    expect_failure(wrong, ErrorKind::BadData, "top.bit: damaged: ");
+    wrong.bitstream = test::make_bit({.frames = 2, .repeated_frames = 1});
+    expect_failure(wrong, ErrorKind::BadData, "top.bit: it configures only a part of the logic");
     wrong = files();
     wrong.overlay[0] = 'x';
     expect_failure(wrong, ErrorKind::BadData, "top.dtbo: no compiled device tree");

@@ -5,9 +5,9 @@
 #include "drivers/lock_file.hpp"
 #include "drivers/uio_device.hpp"
 #include "tests/fakes/fake_kernel.hpp"
+#include "tests/fakes/file_size_limit.hpp"
 #include "tests/fakes/other_process.hpp"
 #include "tests/fakes/temporary_folder.hpp"
-#include "tests/pictures/file_size_limit.hpp"
 
 #include <gtest/gtest.h>
 

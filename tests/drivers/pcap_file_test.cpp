@@ -108,6 +108,23 @@ TEST(PcapReader, LateTimesDoNotWrap)
     EXPECT_EQ((*read)->time, 4'294'967'295s + 4'294'967'295us);
 }
 
+/// As `tcpdump -s 96` writes them.
+TEST(PcapReader, TellsOfFramesThatWereCaughtInPart)
+{
+    const Bytes file = joined({{0xA1, 0xB2, 0xC3, 0xD4},
+                               high_header,
+                               {0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0, 4, 7, 8, 9},
+                               {0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0, 3, 7, 8, 9}});
+    auto reader = PcapReader::open(file, "some.pcap");
+    ASSERT_TRUE(reader);
+    for (const bool cut : {true, false}) {
+        const auto record = reader->next();
+        ASSERT_TRUE(record && *record);
+        EXPECT_EQ((*record)->cut, cut);
+        EXPECT_TRUE(std::ranges::equal((*record)->frame, Bytes{7, 8, 9}));
+    }
+}
+
 TEST(PcapReader, RefusesOtherFiles)
 {
     const Bytes magic = {0xD4, 0xC3, 0xB2, 0xA1};

@@ -18,6 +18,10 @@ namespace
 
 namespace table = protocol::marcher;
 
+// Constants in every build, those of the sanitizers too.
+static_assert(model_of(table::description).draw_row == &marcher::draw_row);
+static_assert(&model_of(protocol::whitted::description) == &models[4]);
+
 protocol::Words words_of(std::string_view settings)
 {
     protocol::State state = protocol::initial_state(table::description);

@@ -6,6 +6,7 @@
 #include "drivers/gpio_line.hpp"
 #include "tests/fakes/memory_pin.hpp"
 
+#include <cerrno>
 #include <map>
 #include <memory>
 #include <set>
@@ -25,7 +26,12 @@ class MemoryBank
                                                              drivers::LineUse use)
     {
         ++attempts;
-        const std::string& name = spec.places.front().name;
+        const drivers::LinePlace& place = spec.places.front();
+        if (no_chip && !place.chip.empty())
+            return fail(Error{ErrorKind::Unavailable, ENOENT, "no " + place.chip});
+        if (no_chip)
+            return fail(Error{ErrorKind::Unavailable, ENODEV, "there is no GPIO chip"});
+        const std::string& name = place.name;
         if (missing.contains(name) || open_.contains(name))
             return fail(plain_error(ErrorKind::Unavailable, "no GPIO line is named " + name));
         open_[name] = use;
@@ -38,6 +44,7 @@ class MemoryBank
     std::set<std::string> missing;
     std::set<std::string> broken;  ///< open, but every call fails
     std::set<std::string> unheard; ///< report no edges
+    bool no_chip = false;
     int attempts = 0;
 
   private:

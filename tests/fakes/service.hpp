@@ -7,6 +7,7 @@
 #include "daemon/session.hpp"
 #include "protocol/accelerators.hpp"
 
+#include <future>
 #include <map>
 #include <optional>
 #include <string>
@@ -46,15 +47,23 @@ struct FakeStorage final : daemon::Storage
     {
         changes.push_back(state);
     }
-    [[nodiscard]] bool save(const Accelerator& /*accelerator*/, const State& state) override
+    [[nodiscard]] daemon::StoredState save(const Accelerator& /*accelerator*/,
+                                           const State& state) override
     {
         if (works)
             saved = state;
-        return works;
+        return answer();
     }
-    [[nodiscard]] std::optional<protocol::State> load(const Accelerator& /*accelerator*/) override
+    [[nodiscard]] daemon::StoredState load(const Accelerator& /*accelerator*/) override
     {
-        return works ? saved : std::nullopt;
+        return answer();
+    }
+    /// What a slow disk was asked for is there from now on.
+    void finish()
+    {
+        for (auto& promise : waiting)
+            promise.set_value(works ? saved : std::nullopt);
+        waiting.clear();
     }
     [[nodiscard]] std::optional<State> last(const Accelerator& accelerator) override
     {
@@ -63,8 +72,19 @@ struct FakeStorage final : daemon::Storage
     }
     std::map<const Accelerator*, State> lasts;
     bool works = true;
+    bool slow = false; ///< nothing is there before finish()
     std::vector<protocol::State> changes;
     std::optional<protocol::State> saved;
+
+  private:
+    daemon::StoredState answer()
+    {
+        daemon::StoredState future = waiting.emplace_back().get_future();
+        if (!slow)
+            finish();
+        return future;
+    }
+    std::vector<std::promise<std::optional<protocol::State>>> waiting;
 };
 
 struct FakeStatus final : daemon::StatusSource

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A bitstream that is taken is taken again as a `.bin`, as the same one, and stays as it is. What
-/// is read of an overlay lies within it.
+/// A bitstream that is taken is taken again as a `.bin`, as the same one, and stays as it is.
+/// Frames with their check sequence are taken whatever they hold, and not when a bit of them is
+/// another. What is read of an overlay lies within it.
+#include "tests/fakes/bitstreams.hpp"
 #include "drivers/bitstream.hpp"
 #include "drivers/flat_tree.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -29,7 +32,44 @@ void check(Bytes bytes)
     const auto again = drivers::parse_bitstream(bin, "again");
     if (!again || again->form != drivers::BitstreamForm::Bin ||
         again->idcode != bitstream->idcode || again->compressed != bitstream->compressed ||
-        drivers::bin_of(*again) != bin)
+        again->checked != bitstream->checked || again->frame_words != bitstream->frame_words ||
+        again->repeated_frames != bitstream->repeated_frames || drivers::bin_of(*again) != bin)
+        std::abort();
+}
+
+/// Vivado's words around the given ones as frame data.
+void check_frames(Bytes bytes)
+{
+    static const auto around = test::configuration_words({.frames = 1});
+    constexpr std::size_t frames_at = 59;
+    const auto frame = around.begin() + frames_at;
+    std::vector<std::uint32_t> words(around.begin(), frame);
+    std::uint32_t crc = 0;
+    for (auto word = around.begin() + 25; word != frame - 2;) { // from RCRC on
+        const std::uint32_t header = *word++;
+        if (header != 0x2000'0000)
+            crc = test::reference_crc(crc, header >> 13 & 0x1F, *word++);
+    }
+    words.back() = 0x5000'0000U | static_cast<std::uint32_t>(bytes.size() / 4);
+    for (std::size_t at = 0; at + 4 <= bytes.size(); at += 4) {
+        std::uint32_t word = 0;
+        for (const std::uint8_t byte : bytes.subspan(at, 4))
+            word = word << 8 | byte;
+        words.push_back(word);
+        crc = test::reference_crc(crc, 2, word);
+    }
+    words.insert(words.end(), {0x3000'0001, crc});
+    words.insert(words.end(), frame + drivers::words_a_frame + 2, around.end());
+    const std::string whole = test::bytes_of(words, drivers::BitstreamForm::Bin);
+    std::vector<std::uint8_t> bin(whole.begin(), whole.end());
+    const auto taken = drivers::parse_bitstream(bin, "made");
+    if (!taken || !taken->checked || taken->frame_words != bytes.size() / 4)
+        std::abort();
+    if (bytes.size() < 4)
+        return;
+    const std::size_t at = crc % (bytes.size() / 4 * 4); // any
+    bin[4 * frames_at + at] ^= static_cast<std::uint8_t>(1U << (crc >> 29));
+    if (drivers::parse_bitstream(bin, "damaged"))
         std::abort();
 }
 
@@ -72,6 +112,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     const Bytes bytes{data, size};
     check(bytes);
+    check_frames(bytes);
     check_behind(bin_sync, bytes);
     check_behind(bit_header, bytes);
 

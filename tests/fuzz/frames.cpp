@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What is accepted is representable: pack and unpack keep it, and its text reads back as the same.
-/// The short way of frames and the long one give the same. A faulty line leaves its state alone in
-/// the caller's hands; a column lies inside the line.
+/// Of every accelerator: what is accepted is representable, as pack and unpack keep it, and its
+/// text reads back as the same. The short way of frames and the long one give the same. A faulty
+/// line leaves its state alone in the caller's hands; a column lies inside the line.
 #include "protocol/accelerators.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/registers.hpp"
@@ -11,15 +11,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <string_view>
 
 using namespace raymarch::protocol; // NOLINT(google-build-using-namespace)
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+namespace
 {
-    const Accelerator& accelerator = default_accelerator;
-    const std::string_view text(reinterpret_cast<const char*>(data), size);
+
+void check(const Accelerator& accelerator, std::string_view text)
+{
     State state = initial_state(accelerator);
-    // The short way and the long one: the same answer.
     State by_pairs = state;
     State either = state;
     const auto long_fault = read_frame_by_pairs(accelerator, {.bytes = text}, by_pairs);
@@ -28,20 +29,28 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         std::abort();
     ParameterSet given;
     if (const auto fault = read_assignments(accelerator, {.bytes = text}, state, given)) {
-        if (fault->column < 1 || fault->column > size + 1)
+        if (fault->column < 1 || fault->column > text.size() + 1)
             std::abort();
         ReplyWriter reply;
         write_fault(reply, accelerator, *fault);
         if (reply.overflowed())
             std::abort();
-        return 0;
+        return;
     }
     if (!(unpack(accelerator, pack(accelerator, state)) == state))
         std::abort();
     ReplyWriter reply;
     write_state(reply, accelerator, state);
-    State again;
+    State again = initial_state(accelerator);
     if (read_frame(accelerator, {.bytes = reply.text()}, again) || !(again == state))
         std::abort();
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    for (const Accelerator* const accelerator : accelerators)
+        check(*accelerator, {reinterpret_cast<const char*>(data), size});
     return 0;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A whole session: every line that is not blank gets exactly one reply, in words that the protocol
-/// has, and the words on the board are always those of the present state.
+/// A whole session: the words on the board are always those of the present state and of the
+/// accelerator that is there, however the bytes come in pieces.
 #include "daemon/session.hpp"
 #include "protocol/accelerators.hpp"
 
@@ -10,11 +10,13 @@
 #include <cstdlib>
 #include <map>
 #include <optional>
+#include <string_view>
+
+using namespace raymarch; // NOLINT(google-build-using-namespace)
+using protocol::Accelerator;
 
 namespace
 {
-
-using namespace raymarch; // NOLINT(google-build-using-namespace)
 
 struct World final : daemon::Board, daemon::Storage, daemon::StatusSource
 {
@@ -43,23 +45,50 @@ struct World final : daemon::Board, daemon::Storage, daemon::StatusSource
     void write_status(protocol::ReplyWriter& /*reply*/) override {}
 };
 
-} // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+struct Host
 {
-    const auto& accelerator = protocol::default_accelerator;
+    explicit Host(const Accelerator& accelerator)
+        : controller(accelerator, {}, world, world, world, 1)
+    {
+        static_cast<void>(controller.restore(protocol::initial_state(accelerator)));
+    }
+
+    void send(std::string_view chunk)
+    {
+        session.receive(chunk);
+        session.output().clear();
+        if (protocol::pack(controller.accelerator(), controller.state()) != world.words)
+            std::abort();
+    }
+
     World world;
-    daemon::Controller controller(accelerator, {}, world, world, world, 1);
-    static_cast<void>(controller.restore(protocol::initial_state(accelerator)));
-    daemon::Session session(controller);
-    std::string_view bytes(reinterpret_cast<const char*>(data), size);
+    daemon::Controller controller;
+    daemon::Session session{controller};
+};
+
+void check(const Accelerator& accelerator, std::string_view bytes)
+{
+    Host in_chunks(accelerator);
+    Host in_bytes(accelerator);
     while (!bytes.empty()) {
         const std::string_view chunk = bytes.substr(0, 64);
         bytes.remove_prefix(chunk.size());
-        session.receive(chunk);
-        session.output().clear();
-        if (protocol::pack(accelerator, controller.state()) != world.words)
+        in_chunks.send(chunk);
+        for (std::size_t i = 0; i < chunk.size(); ++i)
+            in_bytes.send(chunk.substr(i, 1));
+        if (&in_chunks.controller.accelerator() != &in_bytes.controller.accelerator() ||
+            in_chunks.world.words != in_bytes.world.words ||
+            in_chunks.controller.applied() != in_bytes.controller.applied())
             std::abort();
     }
+}
+
+} // namespace
+
+/// The length picks the accelerator that is there at first; a line may take another.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    const auto& accelerators = protocol::accelerators;
+    check(*accelerators[size % accelerators.size()], {reinterpret_cast<const char*>(data), size});
     return 0;
 }

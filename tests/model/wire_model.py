@@ -86,17 +86,22 @@ class Fault(Exception):
 
 
 class LineSplitter:
-    """Cuts a byte stream at LF. Of an over-long line it keeps enough to show that it is one."""
+    """Cuts a byte stream at LF, CR and CR LF. Of an over-long line it keeps enough to show that it is one."""
 
     def __init__(self) -> None:
         self.pending = b""
+        self.after_cr = False
 
     def feed(self, chunk: bytes) -> Iterator[bytes]:
-        *ends, rest = chunk.split(b"\n")
-        for end in ends:
-            yield (self.pending + end)[: MAX_LINE + 2]
-            self.pending = b""
-        self.pending = (self.pending + rest)[: MAX_LINE + 2]
+        for byte in chunk:
+            after_cr, self.after_cr = self.after_cr, byte == 0x0D
+            if byte == 0x0A and after_cr:
+                continue
+            if byte in b"\r\n":
+                yield self.pending
+                self.pending = b""
+            else:
+                self.pending = (self.pending + bytes([byte]))[: MAX_LINE + 1]
 
 
 def checksum(data: bytes) -> str:
@@ -116,7 +121,8 @@ def check_mark(body: bytes) -> None:
 
 def respond(line: bytes, act: Callable[[str], str], require_checksum: bool = False) -> str | None:
     """Judges a line up to its text, lets `act` answer the text; None for a line without a reply."""
-    line = line.removesuffix(b"\r")
+    if line.lstrip(BLANKS.encode()).startswith((b"OK", b"ERR", b"#")):
+        return None  # a reply that came back
     marked = False
     try:
         if len(line) > MAX_LINE:
@@ -624,22 +630,28 @@ def with_checksum(rng: random.Random, text: str) -> str:
     return text + rng.choice([mark, mark, mark, mark.lower(), wrong, mark + " ", mark[:2]])
 
 
+def ending(rng: random.Random) -> bytes:
+    return rng.choices([b"\n", b"\r\n", b"\r", b"\r\r\n", b"\n\r"], [56, 30, 10, 2, 2])[0]
+
+
 def random_line(rng: random.Random) -> bytes:
+    """A line with its ending, or sometimes a few."""
     kind = rng.choices(["frame", "mutant", "command", "garbage"], [60, 30, 5, 5])[0]
     if kind == "garbage":
-        return bytes(rng.choice([*range(10), *range(11, 256)]) for _ in range(rng.randint(0, 40)))
+        return bytes(rng.choice(range(256)) for _ in range(rng.randint(0, 40))) + ending(rng)
     text = random_frame(rng)
     if kind == "mutant":
         text = mutate(rng, text)
     elif kind == "command":
         text = rng.choice(["SET ", "get", " PING ", "FX", "FX,", "fx 1,", "", " ", "?"])
         text += rng.choice(["", " ", "FX=1", "1", "=", "\t=1"])
+    if rng.random() < 0.02:
+        text = rng.choice(["OK ", "OK", "ERR ", "# ", "#", "ok ", "O", "\tERR"]) + text
     if rng.random() < 0.03:
         text = rng.choice([text.ljust, text.rjust])(rng.randint(1022, 1027))
     if rng.random() < 0.25:
         text = with_checksum(rng, text)
-    ending = rng.choices(["", "\r", "\r\r", "\rx"], [60, 36, 2, 2])[0]
-    return (text + ending).encode("latin-1")
+    return text.encode("latin-1") + ending(rng)
 
 
 def agrees(expected: str, reply: str) -> bool:
@@ -655,9 +667,9 @@ def agrees(expected: str, reply: str) -> bool:
 
 def fuzz(program: str, rows: int, seed: int) -> tuple[int, int]:
     rng = random.Random(seed)
-    lines = [random_line(rng) for _ in range(rows)]
+    data = b"".join(random_line(rng) for _ in range(rows)) + b"\n"
+    lines = list(LineSplitter().feed(data))
     cases = [(line, reply) for line in lines if (reply := encode(line)) is not None]
-    data = b"".join(line + b"\n" for line in lines)
     output = subprocess.run([program, "encode"], input=data, stdout=subprocess.PIPE).stdout
     replies = [reply.removesuffix("\r") for reply in output.decode("latin-1").split("\n")[:-1]]
     print(f"seed {seed}: {rows} lines, {len(cases)} with a reply, {len(replies)} replies came")

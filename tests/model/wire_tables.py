@@ -23,7 +23,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from wire_model import (
-    Fault, Piece, accepted_by, agrees, bound, good_number, mutate, odd_number,
+    Fault, LineSplitter, Piece, accepted_by, agrees, bound, good_number, mutate, odd_number,
     padded_number, parse_number, respond, split_command, take, tie, with_checksum, with_exponent,
 )  # fmt: skip
 
@@ -248,10 +248,11 @@ def fuzz(program: str, accelerator: Accelerator, rows: int, seed: int) -> int:
     rng = random.Random(f"{accelerator.name} {seed}")
     first = ",".join(f"{key}={text}" for key, text in accelerator.defaults.items()).encode()
     assert encode(accelerator, first) == "OK " + " ".join(f"{w:08X}" for w in accelerator.initial)
-    lines = [first, *(random_line(rng, accelerator) for _ in range(rows))]
+    random_lines = [random_line(rng, accelerator) for _ in range(rows)]
+    data = b"".join(line + b"\n" for line in [first, *random_lines])
+    lines = list(LineSplitter().feed(data))
     cases = [(line, reply) for line in lines if (reply := encode(accelerator, line)) is not None]
     command = [program, "encode", "--accelerator", accelerator.name]
-    data = b"".join(line + b"\n" for line in lines)
     output = subprocess.run(command, input=data, stdout=subprocess.PIPE).stdout.decode("latin-1")
     replies = [reply.removesuffix("\r") for reply in output.split("\n")[:-1]]
     good = sum(expected.startswith("OK") for _, expected in cases)

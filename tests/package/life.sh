@@ -9,14 +9,14 @@ fail() { say "FAILED: $*"; exit 1; }
 wants=/etc/systemd/system/multi-user.target.wants/raymarchd.service
 
 apt-get install -q -y ./raymarchd_*.deb >&2
-raymarchd --version >&2 && raymarchd --check-config >&2 || fail "the service does not run"
+{ raymarchd --version >&2 && raymarchd --check-config >&2; } || fail "the service does not run"
 raymarchctl encode 'FX=0,FY=0,FZ=1,RX=1,RY=0,RZ=0,UX=0,UY=1,UZ=0,ZM=3,LX=3,LY=2,LZ=5,R=1,G=1,B=1,OBJ=sphere' >&2 ||
     fail "the tool does not run"
 raymarchctl render --size 16x12 -o /tmp/a.ppm >&2 || fail "the tool does not draw"
 ! raymarchctl render --size 16x12 -o /tmp/a.png >&2 || fail "a PNG without the pictures' package"
 [ -e /lib/firmware/raymarch.dtbo ] || fail "the overlay is not where the tool looks for it"
 [ -L "$wants" ] || fail "it is not enabled"
-getent passwd raymarchd >&2 && getent group uio gpio >&2 || fail "no user, or no groups"
+{ getent passwd raymarchd >&2 && getent group uio gpio >&2; } || fail "no user, or no groups"
 ! dpkg -l | grep -q libopencv || fail "OpenCV came along"
 say "installed, without OpenCV"
 
@@ -40,7 +40,7 @@ say "upgraded, changed configuration and state kept"
 
 apt-get remove -q -y raymarchd >&2
 [ ! -e /usr/sbin/raymarchd ] || fail "the service is still there"
-[ -e /etc/raymarchd.toml ] && [ -e /var/lib/raymarchd/state ] || fail "remove is not purge"
+{ [ -e /etc/raymarchd.toml ] && [ -e /var/lib/raymarchd/state ]; } || fail "remove is not purge"
 say "removed, configuration and state kept"
 
 apt-get purge -q -y raymarchd >&2

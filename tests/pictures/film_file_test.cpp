@@ -4,11 +4,17 @@
 #include "pictures/film_file.hpp"
 
 #include "pictures/picture_file.hpp"
+#include "tests/fakes/file_size_limit.hpp"
+#include "tests/fakes/special_files.hpp"
 #include "tests/fakes/temporary_folder.hpp"
-#include "tests/pictures/file_size_limit.hpp"
 #include "tests/pictures/test_pictures.hpp"
 
 #include <gtest/gtest.h>
+
+#include <sys/stat.h>
+
+#include <array>
+#include <filesystem>
 
 namespace raymarch::pictures
 {
@@ -162,6 +168,73 @@ TEST(Film, TwoAtOnceUnderOneName)
     EXPECT_EQ(names_in(folder / ""), Names{"f_0000.ppm"});
     EXPECT_EQ(test::read_text(folder / "f_0000.ppm"),
               text_of(encode(noise(size, 5, 1), PictureFormat::Ppm).value()));
+}
+
+/// A film in each format that is built, of two frames, to `name` in the folder.
+Result<void> make_film(const std::string& path)
+{
+    auto film = open_film(path, {16, 16}, 25);
+    if (!film)
+        return fail(film.error());
+    for (std::uint32_t i = 0; i < 2; ++i)
+        if (auto added = (*film)->add(noise({16, 16}, 5, i)); !added)
+            return added;
+    return (*film)->finish();
+}
+
+struct FilmName
+{
+    const char* name;       ///< as open_film() takes it
+    const char* first_file; ///< that it makes
+};
+constexpr std::array film_names = {FilmName{"f.gif", "f.gif"}, FilmName{"f.mp4", "f.mp4"},
+                                   FilmName{"f_%d.ppm", "f_0.ppm"}};
+
+TEST(Film, LinksAndPermissionsStay)
+{
+    for (const FilmName& film : film_names) {
+        const test::TemporaryFolder folder;
+        const std::string real = folder / "other/real";
+        test::write_text(real, "old");
+        ASSERT_EQ(::chmod(real.c_str(), 0600), 0);
+        std::filesystem::create_symlink("other/real", folder / film.first_file);
+        const auto made = make_film(folder / film.name);
+        if (!made && made.error().kind == ErrorKind::Unavailable)
+            continue;
+        ASSERT_TRUE(made) << made.error().message;
+        EXPECT_TRUE(std::filesystem::is_symlink(folder / film.first_file));
+        EXPECT_NE(test::read_text(real), "old");
+        EXPECT_EQ(test::status_of(real).st_mode & 07777U, 0600U) << film.name;
+        EXPECT_EQ(names_in(folder / "other"), Names{"real"});
+        for (const std::string& name : names_in(folder / ""))
+            EXPECT_NE(name.front(), '.') << name;
+    }
+}
+
+TEST(Film, OnlyAFileIsReplaced)
+{
+    for (const FilmName& film : film_names) {
+        const test::TemporaryFolder folder;
+        ASSERT_EQ(::mkfifo((folder / film.first_file).c_str(), 0600), 0);
+        const auto made = make_film(folder / film.name);
+        ASSERT_FALSE(made);
+        EXPECT_EQ(made.error().message, folder / film.first_file + " is a FIFO, not a file");
+        EXPECT_TRUE(std::filesystem::is_fifo(folder / film.first_file));
+        EXPECT_EQ(names_in(folder / ""), Names{film.first_file});
+    }
+}
+
+TEST(Film, NamesMayBeLong)
+{
+    for (const std::string ending : {".gif", ".mp4"}) {
+        const test::TemporaryFolder folder;
+        const std::string name = std::string(255 - ending.size(), 'f') + ending;
+        const auto made = make_film(folder / name);
+        if (!made && made.error().kind == ErrorKind::Unavailable)
+            continue;
+        ASSERT_TRUE(made) << made.error().message;
+        EXPECT_EQ(names_in(folder / ""), Names{name});
+    }
 }
 
 TEST(Film, OnAFullDiskThereIsNone)

@@ -74,7 +74,8 @@ TEST(Netpbm, RefusesEverythingElse)
     const std::string header = "has no header of width, height and maximum";
     for (const char* const bytes :
          {"P5", "P5#", "P5 1", "P5 1 1", "P5 1 1 255", "P5 0 1 255\n", "P5 1 0 255\n",
-          "P5 -1 1 255\nx", "P5 65536 1 255\n", "P5 1 1 255x", "P5 1 1 99999 x", "P5 # 1 1 255 x"})
+          "P5 -1 1 255\nx", "P5 65536 1 255\n", "P5 1 1 255x", "P5 1 1 99999 x", "P51 1 255 x",
+          "P5x 1 1 255 x", "P5 # 1 1 255 x"})
         EXPECT_EQ(why_not(bytes), header) << bytes;
     EXPECT_EQ(why_not("P5 1 1 65535\nxx"), "has a maximum of 65535; 255 and 15 are read");
     EXPECT_EQ(why_not("P5 1 1 0\nx"), "has a maximum of 0; 255 and 15 are read");

@@ -53,14 +53,4 @@ inline engine::Image noise(engine::PictureSize size, std::size_t colours, std::u
     });
 }
 
-/// All names in the folder, hidden ones too, in order.
-inline std::vector<std::string> names_in(const std::filesystem::path& folder)
-{
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-        names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 } // namespace raymarch::test

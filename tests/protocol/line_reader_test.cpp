@@ -46,53 +46,86 @@ Lines lines_of_chunks(std::string_view bytes, std::mt19937_64& random, std::size
     return lines;
 }
 
-/// The definition: split at LF, drop one CR, at most 1024 bytes. An unfinished line is reported as
-/// too long as soon as no ending can save it.
+/// The definition: LF, CR and CR LF end a line of at most 1024 bytes. An unfinished line is
+/// reported as too long as soon as it is.
 Lines reference(std::string_view bytes)
 {
     Lines lines;
-    for (std::size_t end = 0; (end = bytes.find('\n')) != std::string_view::npos;) {
-        std::string_view line = bytes.substr(0, end);
-        bytes.remove_prefix(end + 1);
-        if (line.ends_with('\r'))
-            line.remove_suffix(1);
-        lines.push_back(line.size() > 1024 ? too_long : std::string(line));
+    std::string line;
+    const auto shown = [&] { return line.size() > 1024 ? too_long : line; };
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        if (bytes[i] == '\n' && i > 0 && bytes[i - 1] == '\r')
+            continue;
+        if (bytes[i] != '\n' && bytes[i] != '\r') {
+            line += bytes[i];
+            continue;
+        }
+        lines.push_back(shown());
+        line.clear();
     }
-    if (bytes.size() > 1025 || (bytes.size() == 1025 && bytes.back() != '\r'))
+    if (line.size() > 1024)
         lines.push_back(too_long);
     return lines;
 }
 
 TEST(LineReader, LinesWithoutTheirEndings)
 {
-    EXPECT_EQ(lines_of("a\nb\r\n\n\r\nc\r\r\n\rd\n"), (Lines{"a", "b", "", "", "c\r", "\rd"}));
+    EXPECT_EQ(lines_of("a\nb\r\nc\rd\n"), (Lines{"a", "b", "c", "d"}));
+    EXPECT_EQ(lines_of("\n\r\n\r\r\r\n\n"), (Lines{"", "", "", "", "", ""}));
+    EXPECT_EQ(lines_of("a\n\rb\r"), (Lines{"a", "", "b"}));
     EXPECT_EQ(lines_of("unfinished"), Lines{});
     EXPECT_EQ(lines_of(""), Lines{});
+}
+
+/// Enter of most terminal programs is a CR alone; it is not known yet whether an LF follows.
+TEST(LineReader, ACarriageReturnEndsALineAtOnce)
+{
+    LineReader reader;
+    Lines lines;
+    feed(reader, "PING\r", lines);
+    EXPECT_EQ(lines, Lines{"PING"});
+    EXPECT_TRUE(reader.after_cr());
+    feed(reader, "\n", lines);
+    EXPECT_EQ(lines, Lines{"PING"});
+    feed(reader, "\nPING\r", lines);
+    EXPECT_EQ(lines, (Lines{"PING", "", "PING"}));
+    feed(reader, "\r", lines);
+    EXPECT_EQ(lines, (Lines{"PING", "", "PING", ""}));
 }
 
 TEST(LineReader, TheLongestLineHas1024Bytes)
 {
     const std::string longest(1024, 'x');
-    EXPECT_EQ(lines_of(longest + "\n"), Lines{longest});
-    EXPECT_EQ(lines_of(longest + "\r\n"), Lines{longest});
-    EXPECT_EQ(lines_of(longest + "x\nb\n"), (Lines{too_long, "b"}));
-    EXPECT_EQ(lines_of(longest + "x\r\nb\n"), (Lines{too_long, "b"}));
-    EXPECT_EQ(lines_of(longest + "\r\r\nb\n"), (Lines{too_long, "b"}));
-    EXPECT_EQ(lines_of(longest + "\rx\nb\n"), (Lines{too_long, "b"}));
+    for (const std::string ending : {"\n", "\r\n", "\r"}) {
+        EXPECT_EQ(lines_of(longest + ending), Lines{longest});
+        EXPECT_EQ(lines_of(longest + ending + "b\n"), (Lines{longest, "b"}));
+        EXPECT_EQ(lines_of(longest + "x" + ending + "b\n"), (Lines{too_long, "b"}));
+        EXPECT_EQ(lines_of(longest + longest + ending + "b\n"), (Lines{too_long, "b"}));
+    }
 }
 
 TEST(LineReader, AnOverlongLineIsReportedOnceAndAtOnce)
 {
     LineReader reader;
     Lines lines;
-    feed(reader, std::string(1024, 'x') + "\r", lines);
-    EXPECT_EQ(lines, Lines{}); // an LF would still make it a line
+    feed(reader, std::string(1024, 'x'), lines);
+    EXPECT_EQ(lines, Lines{}); // an ending would still make it a line
     feed(reader, "x", lines);
     EXPECT_EQ(lines, Lines{too_long});
     feed(reader, std::string(100'000, 'x'), lines);
     EXPECT_EQ(lines, Lines{too_long});
-    feed(reader, "\nPING\n", lines);
+    feed(reader, "\rPING\n", lines);
     EXPECT_EQ(lines, (Lines{too_long, "PING"}));
+}
+
+TEST(LineReader, AnOverlongLineKeepsItsFirstBytes)
+{
+    LineReader reader;
+    const std::string text = "OK " + std::string(2000, 'x');
+    std::string_view bytes = text;
+    const auto line = reader.next(bytes);
+    ASSERT_TRUE(line && line->too_long);
+    EXPECT_EQ(line->bytes, text.substr(0, 1024));
 }
 
 TEST(LineReader, AnyChunkingGivesTheSameLines)
@@ -123,7 +156,7 @@ TEST(LineReader, TheEndOfAFileCompletesALine)
 {
     LineReader reader;
     Lines lines;
-    feed(reader, "a\nb\r", lines);
+    feed(reader, "a\nb", lines);
     const auto last = reader.finish();
     ASSERT_TRUE(last);
     EXPECT_EQ(last->bytes, "b");

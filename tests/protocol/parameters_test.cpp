@@ -20,6 +20,9 @@ namespace raymarch::protocol
 namespace
 {
 
+// Constants in every build, those of the sanitizers too.
+static_assert(position_of(marcher::description) == 0 && position_of(whitted::description) == 4);
+
 struct FormatRow
 {
     Format format;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "protocol/picture_frames.hpp"
 
+#include "base/crc32.hpp"
 #include "tests/fakes/random.hpp"
 
 #include <gtest/gtest.h>
@@ -233,6 +234,83 @@ TEST(PictureAssembler, ForeignFramesAreIgnored)
     EXPECT_EQ(assembler.take(std::span(frame).first(11)), FrameFate::Foreign);
     EXPECT_EQ(assembler.count(FrameFate::Foreign), 14U);
     EXPECT_EQ(assembler.missing_rows().size(), 300U);
+}
+
+/// As a switch puts it behind the addresses; a check sequence then covers it, too.
+Bytes tagged(Bytes frame, const Bytes& tags, Fcs fcs = Fcs::Without)
+{
+    frame.insert(frame.begin() + 12, tags.begin(), tags.end());
+    if (fcs == Fcs::With) {
+        const std::uint32_t sequence =
+            crc32({reinterpret_cast<const char*>(frame.data()), frame.size()});
+        for (int shift = 0; shift < 32; shift += 8)
+            frame.push_back(static_cast<std::uint8_t>(sequence >> shift));
+    }
+    return frame;
+}
+
+const std::vector<Bytes> tag_cases = {
+    {0x81, 0x00, 0x00, 0x05},                         // 802.1Q
+    {0x81, 0x00, 0xEF, 0xFF},                         // priority 7, network 4095
+    {0x88, 0xA8, 0x00, 0x64},                         // 802.1ad
+    {0x88, 0xA8, 0x00, 0x64, 0x81, 0x00, 0x00, 0x05}, // both
+    {0x81, 0x00, 0x00, 0x01, 0x81, 0x00, 0x00, 0x02},
+    {0x91, 0x00, 0x00, 0x01, 0x81, 0x00, 0x00, 0x02},
+    {0x81, 0x00, 0x81, 0x00}, // the tag's number looks like a tag
+};
+
+TEST(PictureAssembler, TagsOfVirtualNetworksArePassedOver)
+{
+    for (const Bytes& tags : tag_cases)
+        for (const Fcs fcs : {Fcs::Without, Fcs::With}) {
+            PictureAssembler assembler;
+            for (const Bytes& frame : all_frames(ramp()))
+                assembler.take(tagged(frame, tags, fcs));
+            EXPECT_TRUE(assembler.settled());
+            EXPECT_EQ(assembler.picture(), ramp());
+            EXPECT_EQ(assembler.count(FrameFate::Damaged), 0U);
+        }
+}
+
+TEST(PictureAssembler, DamageBehindATagIsNoticed)
+{
+    for (const Bytes& tags : tag_cases) {
+        PictureAssembler assembler;
+        const Bytes good = tagged(bytes_of(frame_of(ramp(), 42)), tags, Fcs::With);
+        for (std::size_t at = 12 + tags.size(); at < good.size(); ++at) {
+            Bytes frame = good;
+            frame[at] ^= 0x04;
+            EXPECT_EQ(assembler.take(frame), FrameFate::Damaged) << at;
+        }
+        Bytes other = good;
+        other[14] ^= 0x04; // of the tag itself
+        EXPECT_EQ(assembler.take(other), FrameFate::Damaged);
+        const Bytes plain = tagged(bytes_of(frame_of(ramp(), 42)), tags);
+        for (std::size_t size = 14 + tags.size(); size < plain.size(); ++size)
+            EXPECT_EQ(assembler.take(std::span(plain).first(size)), FrameFate::Damaged) << size;
+        EXPECT_EQ(assembler.missing_rows().size(), 300U);
+    }
+}
+
+/// Another protocol between the same addresses is no damage; a type that is one bit off is.
+TEST(PictureAssembler, FramesOfOtherProtocolsAreForeign)
+{
+    PictureAssembler assembler;
+    for (const Bytes& type : {Bytes{0x08, 0x00}, Bytes{0x08, 0x06}, Bytes{0x86, 0xDD},
+                              Bytes{0x88, 0xCC}, Bytes{0x06, 0x00}})
+        for (const std::size_t size : {60U, 64U, 128U, 1514U})
+            for (const Bytes& tags : {Bytes{}, tag_cases.front(), tag_cases[3]}) {
+                Bytes frame(head.begin(), head.begin() + 12);
+                frame.insert(frame.end(), type.begin(), type.end());
+                frame.resize(size);
+                EXPECT_EQ(assembler.take(tagged(frame, tags)), FrameFate::Foreign);
+            }
+    EXPECT_EQ(assembler.count(FrameFate::Damaged), 0U);
+    for (const std::size_t size : {13U, 14U, 15U, 16U}) { // cut within a tag
+        Bytes frame = tagged(bytes_of(frame_of(ramp(), 1)), tag_cases.front());
+        frame.resize(size);
+        EXPECT_NE(assembler.take(frame), FrameFate::Row) << size;
+    }
 }
 
 TEST(PictureAssembler, OnlyTheLengthsOfTheFormatAreTaken)

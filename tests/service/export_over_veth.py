@@ -161,6 +161,13 @@ def check_other_senders(program: str, levels: bytes, folder: Path) -> None:
     check("foreign ones ignored, a damaged one counted", status == 0 and "damaged frames: 1, doubled rows: 0" in errors)
     check("the picture is the same", output.read_bytes() == as_ppm(levels))
 
+    for tags in ("81000005", "88a80064 81000005"):  # of the first the kernel itself takes care
+        output.unlink()
+        tagged = [frame[:12] + bytes.fromhex(tags) + frame[12:] for frame in frames]
+        status, errors = send_to_receiver(tagged, "--timeout", "30")
+        check(f"frames with the tags {tags}: {errors}", status == 0 and errors == "")
+        check("the picture is the same", output.read_bytes() == as_ppm(levels))
+
     output.unlink()
     few = [frame for row, frame in enumerate(frames, -1) if row not in (0, 5, 6, 7, 299)]
     status, errors = send_to_receiver(few, "--timeout", "1")

@@ -170,6 +170,39 @@ TEST_F(Export, DamagedDoubledAndDisorderedFrames)
     EXPECT_EQ(content(picture), as_ppm(some_picture()));
 }
 
+TEST_F(Export, TagsOfVirtualNetworksAreNoDamage)
+{
+    auto records = exported();
+    for (std::string& record : records) {
+        record.insert(record_header + 12, std::string("\x81\x00\x00\x05", 4));
+        record[8] = record[12] = static_cast<char>(record[8] + 4); // captured, and on the wire
+    }
+    write_capture(records);
+    const Finished result = receive();
+    EXPECT_EQ(result.status, EX_OK);
+    EXPECT_EQ(result.errors, "");
+    EXPECT_EQ(content(picture), as_ppm(some_picture()));
+}
+
+/// As `tcpdump -s 96` leaves them: all start frames are there, and no row.
+TEST_F(Export, ACaptureThatCutItsFramesIsToBlame)
+{
+    auto records = exported();
+    for (std::string& record : records) {
+        constexpr std::size_t kept = 96;
+        record[8] = static_cast<char>(std::min(kept, record.size() - record_header));
+        record.resize(std::min(record.size(), record_header + kept));
+    }
+    write_capture(records);
+    const Finished result = receive();
+    EXPECT_EQ(result.status, EX_DATAERR);
+    EXPECT_NE(
+        result.errors.find("no row of a picture; damaged frames: 400, 400 of them because the "
+                           "capture kept only their beginning"),
+        std::string::npos)
+        << result.errors;
+}
+
 TEST_F(Export, RowsBeforeTheStartFrameAreTakenWithANote)
 {
     auto records = exported();

@@ -187,6 +187,43 @@ TEST(OverlayTool, RefusesABitstreamForAnotherDevice)
         << missing.errors;
 }
 
+/// Nothing is changed, though the file is for the board and as long as it should be.
+TEST(OverlayTool, RefusesADamagedBitstream)
+{
+    const TemporaryFolder folder;
+    const std::string root = folder / "sys";
+    make_kernel(root);
+    const std::string firmware = folder / "lib/firmware";
+    std::string bit = test::make_bit();
+    char& damaged = bit[bit.size() / 3];
+    damaged = static_cast<char>(damaged ^ 0x10);
+    test::write_text(firmware + "/raymarch.bit", bit);
+    test::write_text(firmware + "/raymarch.dtbo", test::overlay_blob());
+    const auto load = run_tool(folder, {"overlay", "load", "--sysfs-root", root});
+    EXPECT_EQ(load.status, 65);
+    EXPECT_NE(load.errors.find("raymarch.bit: damaged: "), std::string::npos) << load.errors;
+    EXPECT_FALSE(fs::exists(firmware + "/raymarch.bin"));
+}
+
+/// As the open tools write it; only the last step fails here, which needs a kernel.
+TEST(OverlayTool, SaysOfABitstreamWithoutACheckThatItHasNone)
+{
+    const TemporaryFolder folder;
+    const std::string root = folder / "sys";
+    make_kernel(root);
+    const std::string firmware = folder / "lib/firmware";
+    test::write_text(firmware + "/raymarch.bit",
+                     test::make_bit({.part = "xc7z020clg400-1", .check = test::Check::Reset}));
+    test::write_text(firmware + "/raymarch.dtbo", test::overlay_blob());
+    const auto load = run_tool(folder, {"overlay", "load", "--sysfs-root", root});
+    EXPECT_EQ(load.status, 74) << load.errors;
+    EXPECT_NE(load.errors.find("raymarch.bit: the bitstream carries no check of its contents"),
+              std::string::npos)
+        << load.errors;
+    EXPECT_NE(load.errors.find("overlays/raymarch/dtbo: No such file"), std::string::npos)
+        << load.errors;
+}
+
 TEST(OverlayTool, UnloadsOnceAndThenSaysSo)
 {
     const TemporaryFolder folder;

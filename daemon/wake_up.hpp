@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// Lets another thread have a handler called on the event loop.
+#pragma once
+
+#include "base/unique_fd.hpp"
+#include "daemon/event_loop.hpp"
+
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <functional>
+
+namespace raymarch::daemon
+{
+
+class WakeUp
+{
+  public:
+    WakeUp(EventLoop& loop, std::function<void()> handler)
+        : fd_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC))
+        , source_(
+              loop.add_io(fd_.get(), EPOLLIN, [this, handler = std::move(handler)](std::uint32_t) {
+                  std::uint64_t count = 0;
+                  [[maybe_unused]] const auto size = ::read(fd_.get(), &count, sizeof count);
+                  handler();
+              }))
+    {}
+
+    /// From any thread: the handler is called soon, once for any number of calls before that.
+    void notify() const noexcept
+    {
+        const std::uint64_t one = 1;
+        [[maybe_unused]] const auto size = ::write(fd_.get(), &one, sizeof one);
+    }
+
+  private:
+    UniqueFd fd_;
+    Source source_;
+};
+
+} // namespace raymarch::daemon
