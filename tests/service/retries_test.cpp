@@ -102,13 +102,6 @@ TEST(Retries, ClientsWaitWhileThereAreNoDescriptors)
     ASSERT_TRUE(service.ready());
     for (std::size_t shortage = 1; shortage <= 2; ++shortage) {
         std::vector<Host> clients;
-        ASSERT_TRUE(
-            eventually([&] { return Host::on_terminal(service.terminal()).ask("PING") == "OK"; }));
-        allow_descriptors(service, 3);
-        for (std::size_t i = 1; i < most_clients; ++i) {
-            clients.push_back(Host::on_socket(service.control()));
-            clients.back().send("PING\n");
-        }
         Host terminal = Host::on_terminal(service.terminal());
         // The service has closed its ends of those before, too.
         ASSERT_TRUE(eventually(
