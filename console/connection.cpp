@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <filesystem>
 
 namespace raymarch::console
@@ -64,9 +65,15 @@ Result<Connection> Connection::open(const Endpoint& endpoint)
     if (!port)
         return fail(port.error());
     Connection connection(std::move(*port));
-    if (auto contact = connection.synchronise(); !contact)
-        return fail(contact.error());
-    return connection;
+    auto contact = connection.synchronise();
+    if (contact)
+        return connection;
+    if (const int number = connection.interrupted(); number != 0) {
+        connection.port_.reset(); // puts the terminal's settings back
+        connection.stop_.reset();
+        static_cast<void>(std::raise(number)); // there is nobody yet who would handle it
+    }
+    return fail(contact.error());
 }
 
 int Connection::interrupted() noexcept

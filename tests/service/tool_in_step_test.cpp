@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <utility>
@@ -361,6 +362,21 @@ TEST(ToolInStep, CtrlCEndsAWaitAndTheNextRunIsInStep)
     EXPECT_EQ(watch.errors(), "");
     const Finished next = run_tool(folder, {"send", "--port", service.terminal(), "GET ZM"});
     EXPECT_EQ(next.output, "OK ZM=3\n") << next.errors;
+}
+
+TEST(ToolInStep, CtrlCEndsTheFirstContact)
+{
+    const TemporaryFolder folder;
+    std::atomic<bool> there = false;
+    const FarEnd dead(folder, FarEnd::Place::Terminal, [&](int fd) {
+        while (!read_bytes(fd).empty())
+            there = true;
+    });
+    Process status(joined({RAYMARCHCTL, "status"}, dead.options()), folder / "status");
+    ASSERT_TRUE(eventually([&] { return there.load(); }));
+    status.signal(SIGINT);
+    EXPECT_EQ(status.wait(), 128 + SIGINT);
+    EXPECT_EQ(status.errors(), "");
 }
 
 } // namespace
