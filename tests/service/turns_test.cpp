@@ -85,7 +85,8 @@ TEST_F(BesideAFlood, TheServiceEndsWhenItIsTold)
 TEST(Turns, AFrameThatIsBeingDrawnIsNotWaitedFor)
 {
     const TemporaryFolder folder;
-    Service service(folder, {"--registers", "emulated", "--emulated-size", "1920x1080"});
+    Service service(folder, {"--registers", "emulated", "--emulated-size", "1920x1080", "--state",
+                             folder / "state"});
     ASSERT_TRUE(service.ready());
     Host host = Host::on_socket(service.control());
     for (int i = 0; i < 3; ++i) {
