@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 
@@ -93,7 +94,7 @@ Result<bool> Connection::wait(short events, std::chrono::milliseconds timeout)
     const int ready = ::poll(waiting.data(), waiting.size(), static_cast<int>(left.count()));
     if (interrupted() != 0)
         return fail(plain_error(ErrorKind::InputOutput, "interrupted"));
-    return ready > 0;
+    return ready > 0 || (ready < 0 && errno == EINTR); // a look in vain does no harm
 }
 
 Result<void> Connection::read_more()
@@ -131,6 +132,12 @@ Result<void> Connection::send(std::string_view bytes)
 
 Result<std::optional<std::string>> Connection::receive(std::chrono::milliseconds timeout)
 {
+    return receive(timeout, Clock::now() + longest_wait);
+}
+
+Result<std::optional<std::string>> Connection::receive(std::chrono::milliseconds timeout,
+                                                       Clock::time_point give_up)
+{
     for (std::size_t searched = 0;;) {
         if (const std::size_t end = received_.find('\n', searched); end != std::string::npos) {
             std::string line = received_.substr(0, end);
@@ -140,7 +147,7 @@ Result<std::optional<std::string>> Connection::receive(std::chrono::milliseconds
             return line;
         }
         searched = received_.size();
-        if (searched > longest_line)
+        if (searched > longest_line || Clock::now() > give_up)
             return fail(plain_error(ErrorKind::InputOutput,
                                     "what comes has no line ends: it is not this protocol"));
         const auto ready = wait(POLLIN, timeout);
@@ -186,7 +193,7 @@ Result<std::vector<std::string>> Connection::collect(std::string_view line, std:
     std::vector<std::string> replies;
     auto give_up = Clock::now() + longest_wait;
     while (due > 0) {
-        auto came = receive(patience());
+        auto came = receive(patience(), give_up);
         if (!came)
             return fail(came.error());
         if (!*came || Clock::now() > give_up)

@@ -101,6 +101,10 @@ class Connection
 
     /// False when nothing happened in time. Errors: InputOutput, when a signal came.
     [[nodiscard]] Result<bool> wait(short events, std::chrono::milliseconds timeout);
+    /// As the public one, and an error at `give_up`: a far end that sends without line ends is not
+    /// listened to for ever.
+    [[nodiscard]] Result<std::optional<std::string>> receive(std::chrono::milliseconds timeout,
+                                                             Clock::time_point give_up);
     /// Takes what has come. Errors: InputOutput, when the other side has closed.
     [[nodiscard]] Result<void> read_more();
     /// Why nothing came that could be the reply to `line`.

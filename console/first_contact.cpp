@@ -90,7 +90,7 @@ Result<Connection::Found> Connection::probe(std::string_view command, const Acce
         return fail(sent.error());
     bool refused = false;
     while (Clock::now() < contact_ends_) {
-        const auto line = receive(silence);
+        const auto line = receive(silence, contact_ends_);
         if (!line)
             return fail(line.error());
         if (!*line)

@@ -239,6 +239,23 @@ TEST(ToolInStep, AFarEndThatIsDeadIsAnError)
 }
 
 /// Not the protocol's rules of marks, but replies.
+/// As at a wrong baud rate: bytes come without a pause, and no line ever ends.
+TEST(ToolInStep, AFarEndThatNeverEndsALineIsGivenUp)
+{
+    const TemporaryFolder folder;
+    const FarEnd far(folder, FarEnd::Place::Socket, [](int fd) {
+        while (write_all(fd, "x"))
+            std::this_thread::sleep_for(std::chrono::milliseconds{20});
+    });
+    std::vector<std::string> command = {"status"};
+    for (const std::string& option : far.options())
+        command.push_back(option);
+    const Finished status = run_tool(folder, command);
+    EXPECT_EQ(status.status, 74);
+    EXPECT_EQ(status.output, "");
+    EXPECT_NE(status.errors.find("no line ends"), std::string::npos) << status.errors;
+}
+
 TEST(ToolInStep, AFarEndThatKnowsNoMarksIsAskedWithoutThem)
 {
     const TemporaryFolder folder;
