@@ -8,7 +8,6 @@
 #include "protocol/views.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace raymarch::daemon
 {
@@ -76,18 +75,6 @@ std::string_view Controller::execute(const Line& line, SessionSettings& session,
     }
     return settle(fault, writes(request) || request.kind == Request::Kind::Faulty,
                   request.checksummed);
-}
-
-std::string_view Controller::resume(Unfinished& rest, const TurnIsOver& turn_is_over)
-{
-    const bool checksummed = rest.checksummed_;
-    const auto* const stored = std::get_if<Unfinished::Stored>(&rest.what_);
-    const bool writes = stored == nullptr || stored->command == CommandId::Load;
-    reply_.begin(checksummed);
-    const Outcome fault = go_on(rest, turn_is_over);
-    if (rest.any())
-        return {};
-    return settle(fault, writes, checksummed);
 }
 
 std::string_view Controller::settle(const Outcome& fault, bool writes, bool checksummed)
@@ -332,87 +319,6 @@ Controller::Outcome Controller::switch_accelerator(Text words)
     reply_ << "OK accelerator=" << accelerator_->name;
     reply_.end_line();
     return std::nullopt;
-}
-
-Controller::Outcome Controller::go_on(Unfinished& rest, const TurnIsOver& turn_is_over)
-{
-    if (std::holds_alternative<Unfinished::Moving>(rest.what_))
-        return move_on(rest, turn_is_over);
-    if (rest.any() && !rest.waits())
-        return take_stored(rest);
-    return std::nullopt;
-}
-
-/// The disk is done.
-Controller::Outcome Controller::take_stored(Unfinished& rest)
-{
-    auto stored = std::get<Unfinished::Stored>(std::exchange(rest.what_, std::monostate()));
-    const std::optional<State> state = stored.state.get();
-    if (!state)
-        return Fault{.code = ErrorCode::Storage};
-    if (stored.command == CommandId::Save) {
-        ok();
-        return std::nullopt;
-    }
-    if (auto fault = may_go_on(*stored.accelerator))
-        return fault;
-    return apply(*state);
-}
-
-/// Whether a line that writes, and that came for this accelerator, may still do so.
-Controller::Outcome Controller::may_go_on(const Accelerator& accelerator) const
-{
-    if (&accelerator != accelerator_)
-        return Fault{.code = ErrorCode::Busy,
-                     .allowed = "another host has switched the accelerator meanwhile"};
-    if (locked_)
-        return Fault{.code = ErrorCode::Locked};
-    return std::nullopt;
-}
-
-Controller::Outcome Controller::move(const tl::expected<Steps, Fault>& steps, Unfinished& rest,
-                                     const TurnIsOver& turn_is_over)
-{
-    if (!steps)
-        return steps.error();
-    rest.what_.emplace<Unfinished::Moving>(Unfinished::Moving{.accelerator = accelerator_,
-                                                              .asked = *steps,
-                                                              .left = *steps,
-                                                              .change = changes_,
-                                                              .state = state_,
-                                                              .before = words_,
-                                                              .movement = std::move(movement_)});
-    return move_on(rest, turn_is_over);
-}
-
-/// While nobody else changes the state, it changes once, after the last step. Otherwise the steps
-/// that nobody has seen are made again, from where the others left the state, and every piece that
-/// follows is applied at once: what they do and what this line does both count, in some order.
-Controller::Outcome Controller::move_on(Unfinished& rest, const TurnIsOver& turn_is_over)
-{
-    auto& moving = std::get<Unfinished::Moving>(rest.what_);
-    if (auto fault = may_go_on(*moving.accelerator)) {
-        rest.what_ = std::monostate();
-        return fault;
-    }
-    if (moving.change != changes_) {
-        moving.state = state_;
-        moving.left = moving.asked;
-        moving.disturbed = true;
-    }
-    moving.movement.move(*accelerator_, moving.state, moving.left, turn_is_over);
-    if (moving.left.count > 0 && moving.disturbed && !put(moving.state)) {
-        rest.what_ = std::monostate();
-        return Fault{.code = ErrorCode::Hardware};
-    }
-    moving.change = changes_;
-    if (moving.disturbed)
-        moving.asked = moving.left;
-    if (moving.left.count > 0)
-        return std::nullopt;
-    auto done = std::get<Unfinished::Moving>(std::exchange(rest.what_, std::monostate()));
-    movement_ = std::move(done.movement);
-    return apply(done.state, done.before);
 }
 
 Controller::Outcome Controller::animate_at(Text words)
