@@ -84,8 +84,14 @@ struct Memory final : daemon::Storage
     {
         states.of(accelerator).last = state;
     }
-    bool save(const Accelerator&, const State&) override { return false; }
-    std::optional<State> load(const Accelerator&) override { return std::nullopt; }
+    daemon::StoredState save(const Accelerator&, const State&) override
+    {
+        return daemon::stored_already(std::nullopt);
+    }
+    daemon::StoredState load(const Accelerator&) override
+    {
+        return daemon::stored_already(std::nullopt);
+    }
     std::optional<State> last(const Accelerator&) override { return std::nullopt; }
 };
 struct NoStatus final : daemon::StatusSource
@@ -106,7 +112,8 @@ class Service
         , session_(controller_)
         , chunk_(chunk)
     {
-        hardware_.start();
+        if (const auto started = hardware_.start(); !started)
+            give_up(started.error().message);
     }
 
     void take(std::string_view frame)

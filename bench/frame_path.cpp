@@ -143,8 +143,14 @@ struct PlainBoard final : daemon::Board
 struct NoStorage final : daemon::Storage
 {
     void changed(const Accelerator&, const State&) override {}
-    bool save(const Accelerator&, const State&) override { return false; }
-    std::optional<State> load(const Accelerator&) override { return std::nullopt; }
+    daemon::StoredState save(const Accelerator&, const State&) override
+    {
+        return daemon::stored_already(std::nullopt);
+    }
+    daemon::StoredState load(const Accelerator&) override
+    {
+        return daemon::stored_already(std::nullopt);
+    }
     std::optional<State> last(const Accelerator&) override { return std::nullopt; }
 };
 struct NoStatus final : daemon::StatusSource

@@ -29,13 +29,6 @@ Result<PersistedStates> read_states(const std::string& path)
     return states;
 }
 
-StoredState nothing()
-{
-    std::promise<std::optional<protocol::State>> promise;
-    promise.set_value(std::nullopt);
-    return promise.get_future();
-}
-
 } // namespace
 
 StateStore::StateStore(std::string path, std::function<void()> on_stored)
@@ -108,7 +101,7 @@ StoredState StateStore::load(const Accelerator& accelerator)
 StoredState StateStore::add(Job job)
 {
     if (path_.empty())
-        return nothing();
+        return stored_already(std::nullopt);
     const std::scoped_lock lock(mutex_);
     if (job.saved)
         states_.of(*job.accelerator).last = job.saved;

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <future>
 #include <optional>
+#include <utility>
 #include <variant>
 
 namespace raymarch::daemon
@@ -19,6 +20,14 @@ namespace raymarch::daemon
 
 /// A state that a disk is asked for or given. It is there when the disk is done.
 using StoredState = std::future<std::optional<protocol::State>>;
+
+/// One that is there at once.
+[[nodiscard]] inline StoredState stored_already(std::optional<protocol::State> state)
+{
+    std::promise<std::optional<protocol::State>> promise;
+    promise.set_value(std::move(state));
+    return promise.get_future();
+}
 
 /// The part of a line that is still to be executed: a disk works on it, or a movement was left for
 /// other hosts' turns. The host's next line waits for it.

@@ -31,17 +31,20 @@ struct World final : daemon::Board, daemon::Storage, daemon::StatusSource
     daemon::Health health() override { return {}; }
     bool use(const protocol::Accelerator& /*accelerator*/) override { return true; }
     void changed(const Accelerator& /*accelerator*/, const State& /*state*/) override {}
-    bool save(const Accelerator& accelerator, const State& state) override
+    daemon::StoredState save(const Accelerator& accelerator, const State& state) override
     {
         saved.insert_or_assign(&accelerator, state);
-        return true;
+        return daemon::stored_already(state);
     }
-    std::optional<State> load(const Accelerator& accelerator) override
+    daemon::StoredState load(const Accelerator& accelerator) override
+    {
+        return daemon::stored_already(last(accelerator));
+    }
+    std::optional<State> last(const Accelerator& accelerator) override
     {
         const auto found = saved.find(&accelerator);
         return found == saved.end() ? std::nullopt : std::optional(found->second);
     }
-    std::optional<State> last(const Accelerator& accelerator) override { return load(accelerator); }
     void write_status(protocol::ReplyWriter& /*reply*/) override {}
 };
 
