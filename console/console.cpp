@@ -88,7 +88,7 @@ int converse(const Endpoint& endpoint)
         if (!reply)
             return report(*connection, reply.error());
         if (const protocol::Accelerator* const named = accelerator_of(*reply))
-            active = named;
+            active = named; // NOLINT(clang-analyzer-deadcode.DeadStores): completion reads it
         refused |= is_err(*reply);
         if (std::fflush(stdout) != 0)
             return EX_OK; // main says so, unless it is a pipe that was closed
