@@ -33,8 +33,9 @@ int serve(int argc, char** argv)
         return 0;
     log::set_level(config->log_level);
 
-    std::signal(SIGPIPE, SIG_IGN); // a log or a client that is read no more is no reason to end
-    sigset_t handled;              // by the event loop; blocked before any thread exists
+    // A log or a client that is read no more is no reason to end.
+    static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
+    sigset_t handled; // by the event loop; blocked before any thread exists
     sigemptyset(&handled);
     for (const int number : {SIGTERM, SIGINT, SIGHUP})
         sigaddset(&handled, number);
