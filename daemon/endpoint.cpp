@@ -41,6 +41,7 @@ bool Endpoint::take_turn(const TurnIsOver& turn_is_over)
             send();
             break;
         case Step::Hungry:
+            send(); // an echo, which has no line's end to wait for
             if (end_ == End::None ? !read() : !finish_input())
                 return false;
             break;

@@ -77,12 +77,15 @@ Source EventLoop::added(Source source, const char* what, int result)
 
 Source EventLoop::add_io(int fd, std::uint32_t events, std::function<void(std::uint32_t)> handler)
 {
+    const int why = errno; // where there is no descriptor: of the call that should have made it
     Source source(new EventSource);
     source->handler_ = std::move(handler);
     const auto call = [](sd_event_source* from, int, std::uint32_t revents, void* self) {
         return guarded(from, [&] { static_cast<EventSource*>(self)->handler_(revents); });
     };
-    const int result = sd_event_add_io(event_, &source->source_, fd, events, call, source.get());
+    const int result = fd < 0 && why > 0 ? -why
+                                         : sd_event_add_io(event_, &source->source_, fd, events,
+                                                           call, source.get());
     return added(std::move(source), "wait for a descriptor", result);
 }
 

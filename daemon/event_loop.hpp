@@ -58,7 +58,8 @@ class EventLoop
     EventLoop& operator=(EventLoop&&) = delete;
     ~EventLoop();
 
-    /// Calls `handler` with the epoll events that came.
+    /// Calls `handler` with the epoll events that came. `fd` may come straight from a call that
+    /// made none: then errno tells what the problem is.
     [[nodiscard]] Source add_io(int fd, std::uint32_t events,
                                 std::function<void(std::uint32_t)> handler);
     /// A timer that waits to be armed.
