@@ -10,6 +10,8 @@ namespace raymarch::drivers
 namespace
 {
 
+using namespace std::string_literals; // they know their length, with every zero
+
 using test::write_text;
 
 class BoardTree : public testing::Test
@@ -28,7 +30,7 @@ TEST_F(BoardTree, AZynqIsKnownByWhatItIsCompatibleWith)
 {
     EXPECT_FALSE(is_zynq(tree));
     write_text(tree.path("firmware/devicetree/base/compatible"),
-               std::string("raspberrypi,4-model-b\0brcm,bcm2711", 36));
+               "raspberrypi,4-model-b\0brcm,bcm2711\0"s);
     EXPECT_FALSE(is_zynq(tree));
     test::make_zynq(folder / "sys");
     EXPECT_TRUE(is_zynq(tree));
@@ -46,7 +48,7 @@ TEST_F(BoardTree, TheClockIsKeptByTheDeviceTreeTheCommandLineOrItsDriver)
     EXPECT_EQ(keeps_logic_clock(tree), false);
 
     const std::string device = "bus/platform/devices/fclk0";
-    write_text(tree.path(device + "/of_node/compatible"), std::string("xlnx,fclk\0", 10));
+    write_text(tree.path(device + "/of_node/compatible"), "xlnx,fclk\0"s);
     const auto set_clock = [&](std::size_t number) {
         write_text(tree.path(device + "/of_node/clocks"),
                    test::big_endian(1, 4) + test::big_endian(number, 4));

@@ -15,6 +15,8 @@ namespace raymarch::drivers
 namespace
 {
 
+using namespace std::string_literals; // they know their length, with every zero
+
 using Interrupts = std::vector<SharedInterrupt>;
 
 Interrupts interrupts_in(const test::OverlayInterrupts& devices)
@@ -64,9 +66,9 @@ TEST_F(Holders, TheOverlaysOwnDeviceIsNone)
     test::add_platform_device(folder / "sys", "43c00000.raymarch", {0, 29, 4});
     const std::string name = kernel.path("devices/platform/43c00000.raymarch/of_node/"
                                          "linux,uio-name");
-    test::write_text(name, std::string("raymarch\0", 9));
+    test::write_text(name, "raymarch\0"s);
     EXPECT_EQ(names({29}), std::vector<std::string>{});
-    test::write_text(name, std::string("raymarched\0", 11));
+    test::write_text(name, "raymarched\0"s);
     EXPECT_EQ(names({29}), std::vector<std::string>{"43c00000.raymarch"});
 }
 

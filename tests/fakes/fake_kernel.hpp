@@ -43,8 +43,9 @@ inline void add_fpga_manager(const std::string& root, const std::string& state)
 /// What the live device tree of a Zynq says of itself.
 inline void make_zynq(const std::string& root)
 {
+    using namespace std::string_literals; // they know their length, with every zero
     write_text(root + "/firmware/devicetree/base/compatible",
-               std::string("digilent,pynq-z1\0xlnx,zynq-7000", 33));
+               "digilent,pynq-z1\0xlnx,zynq-7000\0"s);
 }
 
 /// Which clocks of the logic Linux leaves on, a bit each.
