@@ -1,5 +1,9 @@
-# Warnings are errors, and the sanitizers of the preset: for every target of this tree.
-add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+# Warnings, and the sanitizers of the preset: for every target of this tree. Warnings are errors where
+# the preset says so, and not in a user's build, whose compiler may know more of them.
+add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(RAYMARCH_WARNINGS_ARE_ERRORS)
+  add_compile_options(-Werror)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # Says only that a 32-bit ABI changed in gcc 7; nothing here crosses that border.
   add_compile_options(-Wno-psabi)
