@@ -70,7 +70,7 @@ tl::expected<unsigned, Fault> read_animate(protocol::Text words) noexcept
 void Movement::step(const protocol::Accelerator& accelerator, protocol::State& state,
                     motion::Inputs inputs)
 {
-    if (accelerator_ != &accelerator) {
+    if (!mover_ || accelerator_ != &accelerator) { // none yet, or a long movement has taken it
         mover_ = motion::mover_of(accelerator);
         accelerator_ = &accelerator;
     }

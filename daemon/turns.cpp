@@ -75,7 +75,8 @@ void Turns::run(Turn& turn)
 {
     using Clock = std::chrono::steady_clock;
     const auto processor_before = processor_time();
-    used_ = std::max(used_, turn.used_);
+    if (turn.rank_ == Rank::Equal) // the serial port's turns are more than an equal share
+        used_ = std::max(used_, turn.used_);
     last_ = &turn;
     running_ = &turn;
     const bool more = turn.take_([end = Clock::now() + length] { return Clock::now() >= end; });

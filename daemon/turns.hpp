@@ -68,7 +68,8 @@ class Turns
     std::vector<Turn*> waiting_;
     Turn* running_ = nullptr;         ///< null also when it has been destroyed in its turn
     const Turn* last_ = nullptr;      ///< compared, never followed
-    std::chrono::nanoseconds used_{}; ///< by the host that has used least of those that had a turn
+    std::chrono::nanoseconds used_{}; ///< where a host that was silent starts: the most that an
+                                      ///< equal host had used when its turn began
     bool soon_ = false;
     /// In turn, because the one that is being called cannot be replaced.
     std::array<Source, 2> calls_;

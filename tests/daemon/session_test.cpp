@@ -322,6 +322,21 @@ TEST_P(LongMovement, ALockEndsItAndNothingHasChanged)
     service.controller.set_locked(true);
     EXPECT_TRUE(finish(bytes).starts_with("ERR LOCKED"));
     EXPECT_EQ(service.controller.state(), protocol::initial_state(accelerator));
+    service.controller.set_locked(false);
+    EXPECT_EQ(service.say("WALK forward 3\n"), reference.say("WALK forward 3\n"));
+    EXPECT_EQ(service.controller.state(), reference.controller.state());
+}
+
+/// While one host's movement is under way, another host's moves too.
+TEST_P(LongMovement, TwoHostsMayMoveAtOnce)
+{
+    std::string_view bytes = "WALK forward 50\n";
+    ASSERT_EQ(one_step(bytes), Step::Done);
+    other.receive("WALK forward 3\n");
+    static_cast<void>(reference.say("WALK forward 3\n"));
+    EXPECT_EQ(service.controller.state(), reference.controller.state());
+    static_cast<void>(finish(bytes));
+    EXPECT_TRUE(service.controller.applied() == 2);
 }
 
 TEST_P(LongMovement, ABoardThatFailsAtItsEndChangesNothing)
@@ -341,6 +356,8 @@ TEST_P(LongMovement, AHostThatLeavesEndsIt)
     bytes = "PING\n";
     EXPECT_EQ(finish(bytes), "OK\r\n");
     EXPECT_EQ(service.controller.state(), protocol::initial_state(accelerator));
+    EXPECT_EQ(service.say("WALK forward 3\n"), reference.say("WALK forward 3\n"));
+    EXPECT_EQ(service.controller.state(), reference.controller.state());
 }
 
 TEST(Session, AHangUpForgetsHalfALineAndUnreadReplies)
