@@ -163,12 +163,12 @@ Controller::Outcome Controller::run(const Request& request, SessionSettings& ses
     case CommandId::Preset:
         return preset(request.text);
     case CommandId::Save:
-        rest.what_ = Unfinished::Stored{request.command->id, accelerator_,
-                                        storage_.save(*accelerator_, state_)};
+        rest.what_ =
+            Unfinished::Stored{CommandId::Save, accelerator_, storage_.save(*accelerator_, state_)};
         return go_on(rest, turn_is_over);
     case CommandId::Load:
         rest.what_ =
-            Unfinished::Stored{request.command->id, accelerator_, storage_.load(*accelerator_)};
+            Unfinished::Stored{CommandId::Load, accelerator_, storage_.load(*accelerator_)};
         return go_on(rest, turn_is_over);
     case CommandId::Accelerator:
         return switch_accelerator(request.text);

@@ -96,7 +96,8 @@ class Controller
     /// is not empty afterwards, the reply comes from resume().
     [[nodiscard]] std::string_view execute(const protocol::Line& line, SessionSettings& session,
                                            Unfinished& rest, const TurnIsOver& turn_is_over);
-    /// Goes on with a line: its reply, or nothing while `rest` is still not empty.
+    /// Goes on with a line: its reply, or nothing while `rest` is still not empty. Precondition:
+    /// `rest` is not empty.
     [[nodiscard]] std::string_view resume(Unfinished& rest, const TurnIsOver& turn_is_over);
 
     /// Makes `state` the present one without a line: at start, or from a button. False when the
@@ -153,6 +154,7 @@ class Controller
     [[nodiscard]] Outcome move(const tl::expected<Steps, protocol::Fault>& steps, Unfinished& rest,
                                const TurnIsOver& turn_is_over);
     [[nodiscard]] Outcome move_on(Unfinished& rest, const TurnIsOver& turn_is_over);
+    void end_movement(Unfinished& rest);
     [[nodiscard]] Outcome take_stored(Unfinished& rest);
     [[nodiscard]] Outcome may_go_on(const protocol::Accelerator& accelerator) const;
     [[nodiscard]] Outcome animate_at(protocol::Text words);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/endpoint.hpp"
 
+#include <poll.h>
 #include <sys/epoll.h>
+#include <sys/ioctl.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace raymarch::daemon
@@ -28,12 +31,14 @@ Endpoint::Endpoint(EventLoop& loop, Turns& turns, Rank rank,
     , session_(controller)
     , on_gone_(std::move(on_gone))
     , turn_(turns, rank, [this](const TurnIsOver& over) { return take_turn(over); })
-    , patience_(loop.add_timer([this] { give_up_waiting(); }))
+    , patience_(loop.add_timer([this] { patience_is_over(); }))
     , source_(loop.add_io(port_->fd(), for_reading, [this](std::uint32_t) { turn_.ready(); }))
 {}
 
 bool Endpoint::take_turn(const TurnIsOver& turn_is_over)
 {
+    if (session_.busy())
+        read_ahead(); // a host that has left gets no reply, and neither does the next one
     send(); // room first: what was said earlier goes out before new replies need the queue
     for (;;) {
         switch (session_.step(input_, turn_is_over)) {
@@ -46,19 +51,14 @@ bool Endpoint::take_turn(const TurnIsOver& turn_is_over)
                 return false;
             break;
         case Step::Full:
-            wait_for_room(); // the last send() has left too little
+            start_patience(); // the last send() has left too little
             return false;
         case Step::Waits:
-            // A UART goes on sending while a disk works.
-            if (end_ == End::None && input_.size() < buffer_.size() && read())
-                break;
-            last_heard_ = std::chrono::steady_clock::now();
+            read_ahead(); // a UART goes on sending while a disk works
             return false;
         }
-        if (turn_is_over()) {
-            last_heard_ = std::chrono::steady_clock::now();
+        if (turn_is_over())
             return true;
-        }
     }
 }
 
@@ -88,7 +88,27 @@ bool Endpoint::read()
     return false;
 }
 
-/// Every line that came before the end is done. Whether there is more to do.
+/// Takes what there is for the line after the one that is being worked on.
+void Endpoint::read_ahead()
+{
+    while (end_ == End::None && input_.size() < buffer_.size() && read()) {
+    }
+}
+
+bool Endpoint::busy() const
+{
+    int unread = 0;
+    return session_.busy() || !input_.empty() ||
+           (::ioctl(port_->fd(), FIONREAD, &unread) == 0 && unread > 0);
+}
+
+bool Endpoint::has_gone() const
+{
+    pollfd port = {.fd = port_->fd(), .events = 0, .revents = 0};
+    return ::poll(&port, 1, 0) > 0 && (port.revents & (POLLHUP | POLLERR)) != 0;
+}
+
+/// Acts on the end, after every line before it. Returns whether there is more to do.
 bool Endpoint::finish_input()
 {
     if (end_ == End::HungUp) {
@@ -99,12 +119,14 @@ bool Endpoint::finish_input()
     if (session_.output().pending().empty())
         leave();
     else
-        wait_for_room(); // a host that has closed its sending side may still read
+        start_patience(); // a host that has closed its sending side may still read
     return false;
 }
 
 void Endpoint::send()
 {
+    if (end_ == End::HungUp)
+        return; // whoever is there now has asked nothing
     OutputQueue& output = session_.output();
     while (!output.pending().empty()) {
         const std::size_t sent = port_->write(output.pending());
@@ -112,7 +134,8 @@ void Endpoint::send()
             break;
         output.pop(sent);
         sent_meanwhile_ = true;
-        session_.set_reads(end_ != End::HungUp);
+        last_heard_ = std::chrono::steady_clock::now();
+        session_.set_reads(true);
     }
     const bool wait = !output.pending().empty();
     if (wait == watches_room_)
@@ -121,7 +144,7 @@ void Endpoint::send()
     source_->watch(wait ? for_both : for_reading);
 }
 
-void Endpoint::wait_for_room()
+void Endpoint::start_patience()
 {
     if (measures_)
         return;
@@ -130,7 +153,7 @@ void Endpoint::wait_for_room()
     patience_->arm(patience);
 }
 
-void Endpoint::give_up_waiting()
+void Endpoint::patience_is_over()
 {
     measures_ = false;
     if (!sent_meanwhile_) {
@@ -143,7 +166,6 @@ void Endpoint::give_up_waiting()
 
 void Endpoint::leave()
 {
-    session_.drop_output();
     const auto on_gone = std::move(on_gone_); // it may destroy this endpoint, and itself with it
     on_gone(*this);
 }

@@ -29,12 +29,18 @@ class Endpoint
     void resume() { turn_.ready(); }
 
     [[nodiscard]] const Session& session() const noexcept { return session_; }
-    /// When the last bytes came, or a line of this host was being worked on; at first, when the
-    /// endpoint was made.
+    /// The host will not read what still waits.
+    void drop_output() noexcept { session_.drop_output(); }
+    /// When the host sent bytes last, or took some; at first, when the endpoint was made.
     [[nodiscard]] std::chrono::steady_clock::time_point last_heard() const noexcept
     {
         return last_heard_;
     }
+
+    /// Whether a line of this host is being worked on, or waits for that.
+    [[nodiscard]] bool busy() const;
+    /// Whether nobody is there to read a reply.
+    [[nodiscard]] bool has_gone() const;
 
   private:
     /// What the port has said of the other side, to be acted on behind the bytes that came before.
@@ -42,10 +48,11 @@ class Endpoint
 
     [[nodiscard]] bool take_turn(const TurnIsOver& turn_is_over);
     [[nodiscard]] bool read();
+    void read_ahead();
     [[nodiscard]] bool finish_input();
     void send();
-    void wait_for_room();
-    void give_up_waiting();
+    void start_patience();
+    void patience_is_over();
     void leave();
 
     std::unique_ptr<drivers::BytePort> port_;

@@ -177,17 +177,33 @@ void Hosts::accept_client()
     accept_back_off_.opened();
 }
 
-void Hosts::forget(const Endpoint& client)
+void Hosts::forget(Endpoint& client)
 {
+    client.drop_output();
     dropped_before_ += client.session().dropped_replies();
     clients_.remove_if([&](const Endpoint& other) { return &other == &client; });
 }
 
-/// Whoever only holds a place gives it to one that comes. False when all have spoken lately.
+/// Whoever only holds a place gives it to one that comes: first a client that has gone with all its
+/// lines done, then the one that has been silent longest. One that waits for us is not silent, as
+/// long as it is there. False when there is none.
 bool Hosts::make_room()
 {
-    const auto silent = std::ranges::min_element(clients_, {}, &Endpoint::last_heard);
-    if (std::chrono::steady_clock::now() - silent->last_heard() < longest_silence)
+    const auto left = std::ranges::find_if(
+        clients_, [](const Endpoint& client) { return client.has_gone() && !client.busy(); });
+    if (left != clients_.end()) {
+        forget(*left);
+        return true;
+    }
+    const auto now = std::chrono::steady_clock::now();
+    Endpoint* silent = nullptr;
+    for (Endpoint& client : clients_) {
+        const bool gives_way =
+            now - client.last_heard() >= longest_silence && (client.has_gone() || !client.busy());
+        if (gives_way && (silent == nullptr || client.last_heard() < silent->last_heard()))
+            silent = &client;
+    }
+    if (silent == nullptr)
         return false;
     log::info("the client that has been silent longest gives way to a new one");
     forget(*silent);

@@ -47,7 +47,7 @@ class Hosts
     [[nodiscard]] bool make_room();
     void turn_away(drivers::BytePort& port);
     void count_turned_away();
-    void forget(const Endpoint& client);
+    void forget(Endpoint& client);
     void log_once(std::string& last, const Error& error, const char* what);
     [[nodiscard]] Source watch_place(const std::string& path);
     void look_at_places();

@@ -15,7 +15,7 @@
 namespace raymarch::daemon
 {
 
-/// Asked between two pieces of what takes long, whether the other hosts are to have their turn.
+/// Work that takes long calls this between two pieces, and stops when it returns true.
 using TurnIsOver = std::function<bool()>;
 
 /// What WALK or TURN asks for.
@@ -40,8 +40,9 @@ inline constexpr unsigned most_rate = 60;
 class Movement
 {
   public:
-    /// Moves `state`, a state of `accelerator`, by the steps; nothing where that accelerator does
-    /// not move. Each step counts `steps` down; it ends early when `turn_is_over` says so.
+    /// Moves `state`, a state of `accelerator`, by `steps`, of which there is at least one; nothing
+    /// where that accelerator does not move. `steps.count` is what is left when `turn_is_over` ends
+    /// it early.
     void move(const protocol::Accelerator& accelerator, protocol::State& state, Steps& steps,
               const TurnIsOver& turn_is_over);
     /// One step of what moves by itself.

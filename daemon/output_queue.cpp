@@ -2,6 +2,7 @@
 #include "daemon/output_queue.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace raymarch::daemon
 {
@@ -15,31 +16,31 @@ bool OutputQueue::push(std::string_view bytes) noexcept
     return true;
 }
 
-void OutputQueue::pop(std::size_t count) noexcept
+bool OutputQueue::push_reply(std::string_view reply) noexcept
 {
-    const std::string_view sent = pending().substr(0, count);
-    const std::size_t end = sent.rfind('\n');
-    const std::string_view cut = end == std::string_view::npos ? sent : sent.substr(end + 1);
-    if (end != std::string_view::npos || cut_line_ == 0)
-        cut_line_ = cut.empty() ? '\0' : cut.front();
-    std::copy(bytes_.data() + count, bytes_.data() + size_, bytes_.data());
-    size_ -= count;
+    if (!push(reply))
+        return false;
+    ends_[(first_ + replies_) % ends_.size()] = sent_ + static_cast<std::uint32_t>(size_);
+    ++replies_;
+    return true;
 }
 
-/// The last line of each reply begins with OK or ERR.
+void OutputQueue::pop(std::size_t count) noexcept
+{
+    std::copy(bytes_.data() + count, bytes_.data() + size_, bytes_.data());
+    size_ -= count;
+    sent_ += static_cast<std::uint32_t>(count);
+    // What is left of a reply is 1 to all bytes of the queue; anything else is below that.
+    while (replies_ > 0 && ends_[first_] - sent_ - 1 >= bytes_.size()) {
+        first_ = (first_ + 1) % ends_.size();
+        --replies_;
+    }
+}
+
 std::size_t OutputQueue::clear() noexcept
 {
-    std::size_t replies = cut_line_ == 'O' || cut_line_ == 'E' ? 1 : 0;
-    std::string_view rest = pending();
-    if (cut_line_ != 0)
-        rest.remove_prefix(std::min(rest.find('\n'), rest.size() - 1) + 1);
-    while (!rest.empty()) {
-        replies += rest.starts_with("OK") || rest.starts_with("ERR") ? 1 : 0;
-        rest.remove_prefix(std::min(rest.find('\n'), rest.size() - 1) + 1);
-    }
-    size_ = 0;
-    cut_line_ = 0;
-    return replies;
+    sent_ += static_cast<std::uint32_t>(std::exchange(size_, 0));
+    return std::exchange(replies_, 0);
 }
 
 } // namespace raymarch::daemon

@@ -68,7 +68,7 @@ void Session::execute(const protocol::Line& line, const TurnIsOver& turn_is_over
 
 void Session::push(std::string_view reply) noexcept
 {
-    if (!reply.empty() && !output_.push(reply))
+    if (!reply.empty() && !output_.push_reply(reply))
         ++dropped_replies_;
 }
 

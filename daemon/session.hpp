@@ -36,6 +36,9 @@ class Session
     /// in the output is dropped. A line that a disk works on is left, and the bytes behind it.
     void receive(std::string_view bytes);
 
+    /// Whether a line is not done yet: a disk works on it, or it has steps left.
+    [[nodiscard]] bool busy() const noexcept { return rest_.any(); }
+
     /// Whether the host reads its replies. While it does not, nothing waits for room: replies that
     /// find none are dropped whole, and counted.
     void set_reads(bool reads) noexcept { reads_ = reads; }

@@ -45,6 +45,7 @@ void StateStore::finish()
         return;
     worker_.request_stop();
     worker_.join();
+    lock_.reset();
 }
 
 Result<void> StateStore::lock()
@@ -72,7 +73,7 @@ void StateStore::read()
     } else if (states.error().number == ENOENT) {
         log::info("no state from earlier: {}", states.error().message);
     } else {
-        foreign_ = true;
+        unreadable_ = true;
         log::warning("starting from the defaults: {}; the file will be kept under another name",
                      states.error().message);
     }
@@ -198,7 +199,7 @@ Result<void> StateStore::replace(const PersistedStates& states)
 {
     const std::string text = format_state_file(states);
     if (const auto there = drivers::read_file(path_, largest_state_file); there && *there == text) {
-        foreign_ = false;
+        unreadable_ = false;
         return {};
     } else if (there || there.error().number != ENOENT) {
         if (auto way = make_way(there ? *there : std::string()); !way)
@@ -208,7 +209,7 @@ Result<void> StateStore::replace(const PersistedStates& states)
             drivers::replace_file(path_, drivers::as_bytes(text), drivers::Durability::Durable);
         !written)
         return written;
-    foreign_ = false;
+    unreadable_ = false;
     const auto held = drivers::read_file(path_, largest_state_file);
     if (!held)
         return fail(held.error());
@@ -221,7 +222,7 @@ Result<void> StateStore::replace(const PersistedStates& states)
 /// Keeps what stands in the file, where it is no state that this version can read.
 Result<void> StateStore::make_way(const std::string& text)
 {
-    if (!foreign_ && parse_state_file(text))
+    if (!unreadable_ && parse_state_file(text))
         return {};
     const auto kept = drivers::set_aside(path_);
     if (!kept)

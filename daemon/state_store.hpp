@@ -33,11 +33,12 @@ class StateStore final : public Storage
     StateStore(const StateStore&) = delete;
     StateStore& operator=(const StateStore&) = delete;
     ~StateStore() override { finish(); }
-    /// Writes what waits to be written, waits for that, and does nothing more.
+    /// Writes what waits to be written, and ends the worker. Changes that come later are not
+    /// written.
     void finish();
 
-    /// Makes this process the one that writes the file. Errors: Unavailable, when another one is;
-    /// that the place has no locks is none.
+    /// Makes this process the one that writes the file. Errors: Unavailable when another process
+    /// is. A file system without locks is no error.
     [[nodiscard]] Result<void> lock();
 
     /// Reads the file, at the start. A file that cannot be read, or not understood, is told of, and
@@ -74,8 +75,8 @@ class StateStore final : public Storage
     std::optional<drivers::LockFile> lock_;
     const std::function<void()> on_stored_;
 
-    bool failing_ = false; ///< the worker's; logged once
-    bool foreign_ = false; ///< what stood in the file at the start could not be read
+    bool failing_ = false;    ///< the worker's; logged once
+    bool unreadable_ = false; ///< what stood in the file at the start could not be read
 
     std::mutex mutex_; ///< guards what follows
     std::condition_variable_any wake_;

@@ -83,7 +83,7 @@ void Turns::run(Turn& turn)
     if (std::exchange(running_, nullptr) == nullptr)
         return;
     turn.used_ += processor_time() - processor_before;
-    if (more && !turn.waits_) {
+    if (more) {
         turn.waits_ = true;
         waiting_.push_back(&turn);
         run_soon();

@@ -71,7 +71,7 @@ class Turns
     std::chrono::nanoseconds used_{}; ///< where a host that was silent starts: the most that an
                                       ///< equal host had used when its turn began
     bool soon_ = false;
-    /// In turn, because the one that is being called cannot be replaced.
+    /// Two, used alternately: a source must not be replaced while its own handler runs.
     std::array<Source, 2> calls_;
     std::size_t call_ = 0;
 };

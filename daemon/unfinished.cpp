@@ -28,7 +28,7 @@ Controller::Outcome Controller::go_on(Unfinished& rest, const TurnIsOver& turn_i
 {
     if (std::holds_alternative<Unfinished::Moving>(rest.what_))
         return move_on(rest, turn_is_over);
-    if (rest.any() && !rest.waits())
+    if (!rest.waits())
         return take_stored(rest);
     return std::nullopt;
 }
@@ -75,6 +75,13 @@ Controller::Outcome Controller::move(const tl::expected<Steps, Fault>& steps, Un
     return move_on(rest, turn_is_over);
 }
 
+/// What the movement remembers is for the next one.
+void Controller::end_movement(Unfinished& rest)
+{
+    movement_ = std::move(std::get<Unfinished::Moving>(rest.what_).movement);
+    rest.what_ = std::monostate();
+}
+
 /// While nobody else changes the state, it changes once, after the last step. Otherwise the steps
 /// that nobody has seen are made again, from where the others left the state, and every piece that
 /// follows is applied at once: what they do and what this line does both count, in some order.
@@ -82,7 +89,7 @@ Controller::Outcome Controller::move_on(Unfinished& rest, const TurnIsOver& turn
 {
     auto& moving = std::get<Unfinished::Moving>(rest.what_);
     if (auto fault = may_go_on(*moving.accelerator)) {
-        rest.what_ = std::monostate();
+        end_movement(rest);
         return fault;
     }
     if (moving.change != changes_) {
@@ -92,7 +99,7 @@ Controller::Outcome Controller::move_on(Unfinished& rest, const TurnIsOver& turn
     }
     moving.movement.move(*accelerator_, moving.state, moving.left, turn_is_over);
     if (moving.left.count > 0 && moving.disturbed && !put(moving.state)) {
-        rest.what_ = std::monostate();
+        end_movement(rest);
         return Fault{.code = ErrorCode::Hardware};
     }
     moving.change = changes_;
@@ -100,9 +107,10 @@ Controller::Outcome Controller::move_on(Unfinished& rest, const TurnIsOver& turn
         moving.asked = moving.left;
     if (moving.left.count > 0)
         return std::nullopt;
-    auto done = std::get<Unfinished::Moving>(std::exchange(rest.what_, std::monostate()));
-    movement_ = std::move(done.movement);
-    return apply(done.state, done.before);
+    const State state = moving.state;
+    const Words before = moving.before;
+    end_movement(rest);
+    return apply(state, before);
 }
 
 } // namespace raymarch::daemon

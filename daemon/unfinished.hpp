@@ -61,8 +61,8 @@ class Unfinished
     struct Moving
     {
         const protocol::Accelerator* accelerator;
-        Steps asked;            ///< from `change` on
-        Steps left;             ///< of those
+        Steps asked;            ///< still to be made, counted from the state at `change`
+        Steps left;             ///< of `asked`, not made yet
         std::uint64_t change;   ///< the controller's count of changes when `state` was taken
         bool disturbed = false; ///< others have changed the state since the line came
         protocol::State state;  ///< after the steps that were made

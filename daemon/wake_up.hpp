@@ -29,6 +29,9 @@ class WakeUp
               }))
     {}
 
+    WakeUp(const WakeUp&) = delete;
+    WakeUp& operator=(const WakeUp&) = delete;
+
     /// From any thread: the handler is called soon, once for any number of calls before that.
     void notify() const noexcept
     {

@@ -78,9 +78,9 @@ bool EmulatedBlock::end_drawing(std::chrono::milliseconds patience)
 {
     worker_.request_stop();
     std::unique_lock lock(mutex_);
-    const bool ended = wake_.wait_for(lock, patience, [this] { return ended_; });
+    wake_.wait_for(lock, patience, [this] { return ended_; });
     wake_.wait(lock, [this] { return !showing_; });
-    return ended || ended_;
+    return ended_;
 }
 
 std::uint32_t EmulatedBlock::read(drivers::RegOffset at) noexcept

@@ -90,13 +90,13 @@ class EmulatedBlock final : public drivers::RegisterBus
     const FrameSink sink_;
     const UniqueFd interrupt_;
 
-    std::mutex mutex_; ///< guards everything below
+    std::mutex mutex_; ///< guards what follows, up to costs_
     std::condition_variable_any wake_;
     const engine::Model* model_;
     engine::PictureSize size_;
-    unsigned lives_ = 1;      ///< counts what it has been
+    unsigned lives_ = 1;      ///< how many accelerators it has been
     bool showing_ = false;    ///< the sink has been called and has not returned
-    bool ended_ = false;      ///< the worker has
+    bool ended_ = false;      ///< the worker has returned
     protocol::Words words_{}; ///< as written; in shadow mode not yet seen by the ray units
     bool latch_ = false;      ///< words wait for a frame start
     bool slow_ = false;       ///< the frame that is being drawn ends early for newer words

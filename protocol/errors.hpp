@@ -59,7 +59,7 @@ inline constexpr std::array errors = {
     ErrorRow{ErrorCode::Argument,       "ARGUMENT",        "a command's words are wrong or missing"},
     ErrorRow{ErrorCode::Hardware,       "HARDWARE",        "there is no register block, or it read back something else than was written"},
     ErrorRow{ErrorCode::Locked,         "LOCKED",          "writes are locked by a switch on the board"},
-    ErrorRow{ErrorCode::Busy,           "BUSY",            "another host has switched the accelerator before this was done, or all places for clients are taken"},
+    ErrorRow{ErrorCode::Busy,           "BUSY",            "another host has switched the accelerator before WALK, TURN or LOAD was done, or all places for clients are taken"},
     ErrorRow{ErrorCode::Storage,        "STORAGE",         "there is no state file, or it cannot be read or written"},
 };
 // clang-format on

@@ -2,10 +2,12 @@
 #include "daemon/session.hpp"
 
 #include "tests/fakes/descriptions.hpp"
+#include "tests/fakes/random.hpp"
 #include "tests/fakes/service.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 namespace raymarch::daemon
@@ -112,6 +114,42 @@ TEST(Session, UnreadRepliesAreCountedWhenTheHostLeaves)
     service.session.output().pop(4);
     service.session.hang_up();
     EXPECT_EQ(service.session.dropped_replies(), 5U);
+}
+
+TEST(Session, AnEchoIsNoReplyThatIsLost)
+{
+    Service service;
+    static_cast<void>(service.say("ECHO on\n"));
+    service.session.receive("ERRO");
+    service.session.output().pop(2);
+    service.session.hang_up();
+    EXPECT_EQ(service.session.dropped_replies(), 0U);
+    static_cast<void>(service.say("ECHO on\n"));
+    service.session.receive("PING\rOK");
+    service.session.drop_output();
+    EXPECT_EQ(service.session.dropped_replies(), 1U);
+}
+
+/// However much has gone through the queue before.
+TEST(Session, LostRepliesAreCountedInAnyPlaceOfTheQueue)
+{
+    Service service;
+    auto random = test::seeded_random();
+    std::uint64_t lost = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const int lines = test::pick(random, 1, 60);
+        std::string replies;
+        for (int j = 0; j < lines; ++j) {
+            service.session.receive(test::pick(random, 0, 1) == 0 ? "PING\n" : "GET\n");
+            replies = service.session.output().pending();
+        }
+        const auto sent = test::pick(random, std::size_t{0}, replies.size());
+        service.session.output().pop(sent);
+        const auto whole = std::ranges::count(replies.substr(0, sent), '\n');
+        lost += static_cast<std::uint64_t>(lines - whole);
+        service.session.drop_output();
+        ASSERT_EQ(service.session.dropped_replies(), lost);
+    }
 }
 
 TEST(Session, AnEchoOfItsRepliesIsNotAnswered)

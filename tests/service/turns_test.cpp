@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <list>
 #include <string>
 
 namespace raymarch::tests
@@ -67,6 +68,14 @@ TEST_F(BesideAFlood, OfTheSerialPortToo)
     for (int i = 0; i < 20; ++i)
         ASSERT_EQ(other.ask("PING"), "OK");
     EXPECT_LT(applied(), 100U) << "the flood was done first";
+}
+
+/// Whoever opens the terminal next gets nothing that the one before has asked for.
+TEST_F(BesideAFlood, TheNextHostGetsNoReplyToALongLine)
+{
+    Host::on_terminal(service.terminal()).send("WALK back 100\nSTATUS\nGET\n");
+    ASSERT_TRUE(eventually([&] { return service.status("hang_ups") == "1"; }));
+    EXPECT_EQ(Host::on_terminal(service.terminal()).ask("PING"), "OK");
 }
 
 TEST_F(BesideAFlood, TheServiceEndsWhenItIsTold)
@@ -168,6 +177,21 @@ TEST_P(Burst, AnEchoIsNotAnswered)
         one.send(one.ask(line) + "\r\n");
     const std::string status = one.ask("STATUS");
     EXPECT_NE(status.find(" rejected=2 echoed=5 "), std::string::npos) << status;
+}
+
+/// The place of a client that has closed is free at once.
+TEST(Turns, AClosedConnectionKeepsNoPlace)
+{
+    const TemporaryFolder folder;
+    const Service service(folder);
+    ASSERT_TRUE(service.ready());
+    std::list<Host> hosts;
+    for (int i = 0; i < 16; ++i)
+        ASSERT_EQ(hosts.emplace_back(Host::on_socket(service.control())).ask("PING"), "OK");
+    for (int i = 0; i < 50; ++i) {
+        hosts.pop_front();
+        ASSERT_EQ(hosts.emplace_back(Host::on_socket(service.control())).ask("PING"), "OK") << i;
+    }
 }
 
 /// Every reply is read or counted.
