@@ -142,13 +142,12 @@ Result<void> PseudoTerminal::restore_link()
     return {};
 }
 
-/// Whether the last host left and another has come since. inotify tells two openings that nobody
-/// took in between as one, so the count may be too low, and a host that is still there counts as
-/// gone. Then the next one to come is taken for its successor, which costs replies that it has not
-/// read by then.
-bool PseudoTerminal::take_visits() noexcept
+/// inotify tells two equal events that nobody took in between as one. So hosts that come or leave
+/// together are miscounted, and the next one may be taken for the last one's successor, which costs
+/// replies that have not been read by then.
+PseudoTerminal::Visits PseudoTerminal::take_visits() noexcept
 {
-    bool followed = false;
+    Visits visits;
     std::array<char, 1024> chunk; // NOLINT(*-member-init): read before use
     for (ssize_t size = 0;
          visits_ && (size = ::read(visits_.get(), chunk.data(), chunk.size())) > 0;) {
@@ -156,24 +155,25 @@ bool PseudoTerminal::take_visits() noexcept
         for (std::size_t at = 0; at < static_cast<std::size_t>(size);
              at += sizeof event + event.len) {
             std::memcpy(&event, chunk.data() + at, sizeof event); // whose place is not aligned
+            ++visits.events;
             if ((event.mask & IN_OPEN) != 0) {
                 ++hosts_;
                 visited_ = true;
-                followed = std::exchange(left_, false) || followed;
+                visits.followed = std::exchange(left_, false) || visits.followed;
             } else if ((event.mask & closed) != 0 && hosts_ > 0) {
                 left_ = --hosts_ == 0;
             }
         }
     }
-    return followed;
+    return visits;
 }
 
 void PseudoTerminal::look() noexcept
 {
-    if (!take_visits())
+    if (!take_visits().followed)
         return;
-    static_cast<void>(start_afresh());
     hung_up_ = hung_up_ || std::exchange(host_spoke_, false);
+    static_cast<void>(start_afresh());
 }
 
 bool PseudoTerminal::nobody_has_it_open() const noexcept
@@ -185,7 +185,7 @@ bool PseudoTerminal::nobody_has_it_open() const noexcept
 /// What a host leaves in the terminal would be the next one's: settings, output that it stopped,
 /// replies that it did not read, the right to be alone. False when that right keeps the service
 /// out, too, and so everybody for good.
-bool PseudoTerminal::start_afresh() noexcept
+bool PseudoTerminal::put_in_order() noexcept
 {
     const bool alone = nobody_has_it_open();
     ::tcsetattr(fd_.get(), TCSANOW, &settings_);
@@ -198,6 +198,23 @@ bool PseudoTerminal::start_afresh() noexcept
         ::ioctl(other_end.get(), TIOCNXCL);
     ::tcflow(other_end.get(), TCOON);
     ::tcflush(other_end.get(), TCIFLUSH);
+    return true;
+}
+
+/// Puts the terminal in order for whoever has it open by now. To do so is a visit, too: its events
+/// are taken here, or the service would follow itself for ever.
+bool PseudoTerminal::start_afresh() noexcept
+{
+    constexpr int most_tries = 3; // a host that comes and goes all the time does not hold us
+    constexpr int own_events = 2; // opened, closed
+    for (int tries = 0; tries < most_tries; ++tries) {
+        if (!put_in_order())
+            return false;
+        if (take_visits().events <= own_events)
+            break; // nobody has come or left meanwhile
+    }
+    // Who has it open but was not counted is told of next, or was told of together with us.
+    left_ = hosts_ == 0 && !nobody_has_it_open();
     return true;
 }
 
@@ -221,11 +238,10 @@ ReadOutcome PseudoTerminal::read(std::span<char> into) noexcept
     // Opening and closing the other end makes a hang-up of its own; that one is not news.
     if (!visited_ && !host_spoke_)
         return {ReadStatus::Empty, 0};
+    hosts_ = 0;
     if (!start_afresh())
         return {ReadStatus::Gone, 0};
-    hosts_ = 0;
-    static_cast<void>(take_visits()); // our own, and perhaps the next host's
-    visited_ = left_ = !nobody_has_it_open();
+    visited_ = !nobody_has_it_open();
     return {std::exchange(host_spoke_, false) ? ReadStatus::HungUp : ReadStatus::Empty, 0};
 }
 

@@ -55,8 +55,15 @@ class PseudoTerminal final : public BytePort
   private:
     PseudoTerminal(UniqueFd fd, UniqueFd visits, const termios& settings, std::string name,
                    std::string link) noexcept;
-    [[nodiscard]] bool take_visits() noexcept;
+    /// What inotify told since the last time.
+    struct Visits
+    {
+        bool followed = false; ///< the last host left, and another one has come
+        int events = 0;
+    };
+    [[nodiscard]] Visits take_visits() noexcept;
     [[nodiscard]] bool nobody_has_it_open() const noexcept;
+    [[nodiscard]] bool put_in_order() noexcept;
     [[nodiscard]] bool start_afresh() noexcept;
 
     std::optional<LockFile> lock_; ///< first: the link goes before its lock

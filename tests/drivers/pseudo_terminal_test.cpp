@@ -403,6 +403,34 @@ TEST_F(Pty, WhoReadsBesideOthersThatComeAndGoLosesNothing)
     EXPECT_EQ(heard, "OK\r\nOK\r\nOK\r\n");
 }
 
+/// Two hosts that come together are counted as one. However wrong the count, the service's own visit
+/// must not count as a host that follows: it would visit, and flush replies, for ever.
+TEST_F(Pty, ComesToRestAlsoWhenHostsWereMiscounted)
+{
+    std::optional<Host> first(std::in_place, link);
+    const Host stays(link);
+    for (int i = 0; i < 3; ++i) {
+        port->look();
+        first.reset();
+        static_cast<void>(Host(link)); // comes and leaves
+        for (int looks = 0; test::readable(port->visits_fd(), 0); ++looks) {
+            ASSERT_LT(looks, 5);
+            port->look();
+        }
+        while (read_status() != ReadStatus::Empty) { // taken for a hang-up
+        }
+        stays.say("PING\n");
+        EXPECT_EQ(read_text(), "PING\n");
+        EXPECT_EQ(port->write("OK\r\n"), 4U);
+        port->look();
+        EXPECT_EQ(read_status(), ReadStatus::Empty);
+        EXPECT_TRUE(test::readable(stays.fd()));
+        EXPECT_EQ(stays.hear(), "OK\r\n");
+        first.emplace(link);
+        static_cast<void>(Host(link));
+    }
+}
+
 /// Our own look at the other end must not wake us again and again.
 TEST_F(Pty, ComesToRestAfterAHostHasLeft)
 {
