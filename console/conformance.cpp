@@ -34,7 +34,7 @@ constexpr std::string_view active_reply = "OK accelerator=";
 /// The one that the table files are about.
 constexpr const protocol::Accelerator& of_the_files = protocol::marcher::description;
 
-struct Options
+struct ConformanceOptions
 {
     Endpoint endpoint;
     bool verbose = false;
@@ -244,7 +244,7 @@ Result<void> run_all(Connection& connection, Runner& runner)
     return {};
 }
 
-int run_conformance(const Options& options)
+int run_conformance(const ConformanceOptions& options)
 {
     auto connection = Connection::open(options.endpoint);
     if (!connection)
@@ -267,7 +267,7 @@ void add_conformance(CLI::App& app, Run& run)
 {
     CLI::App* const command = app.add_subcommand(
         "conformance", "runs the protocol's tables against a live endpoint; ends with a count");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ConformanceOptions>();
     add_endpoint_options(*command, options->endpoint);
     command->add_flag("--verbose", options->verbose, "prints the rows that pass as well");
     command->callback([options, &run] { run = [options] { return run_conformance(*options); }; });

@@ -22,7 +22,7 @@ namespace raymarch::console
 namespace
 {
 
-struct Options
+struct CyclesOptions
 {
     ViewOptions view;
     std::optional<unsigned> units;
@@ -46,7 +46,7 @@ std::string frames_text(const CountedView& view)
                          : fmt::format("{} to {}, the mean", first, last);
 }
 
-Result<void> print_cycles(const protocol::Accelerator& accelerator, const Options& options)
+Result<void> print_cycles(const protocol::Accelerator& accelerator, const CyclesOptions& options)
 {
     const auto size = size_of(accelerator, options.view);
     if (!size)
@@ -73,7 +73,7 @@ Result<void> print_cycles(const protocol::Accelerator& accelerator, const Option
     return {};
 }
 
-Result<void> run_cycles(const Options& options)
+Result<void> run_cycles(const CyclesOptions& options)
 {
     const auto accelerator = accelerator_named(options.view.accelerator);
     if (!accelerator)
@@ -92,7 +92,7 @@ void add_cycles(CLI::App& app, Run& run)
 {
     CLI::App* const command = app.add_subcommand(
         "cycles", "clock cycles and frames a second of the source's hardware, by its exact model");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CyclesOptions>();
     add_view_options(*command, options->view);
     command->add_option("--units", options->units, "ray units (default: the accelerator's)")
         ->check(CLI::Range(1, 255))

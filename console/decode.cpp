@@ -19,7 +19,7 @@ namespace raymarch::console
 namespace
 {
 
-struct Options
+struct DecodeOptions
 {
     std::string accelerator;
     std::vector<std::string> words;
@@ -36,7 +36,7 @@ void warn_out_of_range(const protocol::Accelerator& accelerator, const protocol:
     }
 }
 
-int decode(const Options& options)
+int decode(const DecodeOptions& options)
 {
     const auto accelerator = accelerator_named(options.accelerator);
     if (!accelerator)
@@ -57,7 +57,7 @@ int decode(const Options& options)
 void add_decode(CLI::App& app, Run& run)
 {
     CLI::App* const command = app.add_subcommand("decode", "register words to the frame they hold");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<DecodeOptions>();
     add_texts(*command, "WORD", options->words, "all parameter words, in hex, word 0 first")
         ->required();
     add_accelerator_option(*command, options->accelerator, "whose words");

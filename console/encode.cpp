@@ -170,7 +170,7 @@ int encode_one(const Accelerator& accelerator, const std::string& text)
     return encoder.refused() ? status_err_reply : EX_OK;
 }
 
-struct Options
+struct EncodeOptions
 {
     std::string accelerator;
     std::optional<std::string> line;
@@ -182,7 +182,7 @@ void add_encode(CLI::App& app, Run& run)
 {
     CLI::App* const command =
         app.add_subcommand("encode", "a parameter frame to its register words");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<EncodeOptions>();
     command->add_option("LINE", options->line,
                         "the frame; without it lines are read from standard input, and each that "
                         "is not blank gets one reply");

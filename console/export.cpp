@@ -32,7 +32,7 @@ namespace
 /// Whether frames wait for each other as in the source's hardware, or only for the interface.
 enum class Pace : std::uint8_t { AsTheSource, Fast };
 
-struct Options
+struct ExportOptions
 {
     std::string interface;
     std::string capture;
@@ -92,7 +92,7 @@ Result<protocol::GreyPicture> read_picture(const std::string& path)
 }
 
 /// The picture decides whether it can be exported, not whose it is.
-Result<protocol::GreyPicture> draw_picture(const Options& options)
+Result<protocol::GreyPicture> draw_picture(const ExportOptions& options)
 {
     const auto accelerator = accelerator_named(options.view.accelerator);
     if (!accelerator)
@@ -109,7 +109,7 @@ Result<protocol::GreyPicture> draw_picture(const Options& options)
     return grey_of(image);
 }
 
-Result<void> export_picture(const protocol::GreyPicture& picture, const Options& options)
+Result<void> export_picture(const protocol::GreyPicture& picture, const ExportOptions& options)
 {
     if (!options.capture.empty())
         return write_capture(picture, options.capture);
@@ -119,7 +119,7 @@ Result<void> export_picture(const protocol::GreyPicture& picture, const Options&
     return send_frames(picture, **port, options.fast ? Pace::Fast : Pace::AsTheSource);
 }
 
-Result<void> run_export(const Options& options)
+Result<void> run_export(const ExportOptions& options)
 {
     if (!options.capture.empty())
         if (auto possible = drivers::check_output(options.capture); !possible)
@@ -136,7 +136,7 @@ void add_export(CLI::App& app, Run& run)
 {
     CLI::App* const command =
         app.add_subcommand("export", "a 400x300 picture in 16 greys as Ethernet frames");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ExportOptions>();
     CLI::Option_group* const where = command->add_option_group("where to");
     CLI::Option* const interface =
         where->add_option("--interface", options->interface, "a network interface; CAP_NET_RAW")

@@ -30,7 +30,7 @@ namespace
 constexpr unsigned most_frames = 100'000;
 constexpr unsigned most_steps = 1000; ///< a frame, as of WALK and TURN
 
-struct Options
+struct FilmOptions
 {
     ViewOptions view;
     unsigned frames = 0;
@@ -50,7 +50,7 @@ struct Scene
     motion::Inputs inputs;
 };
 
-Result<Scene> scene_of(const Options& options)
+Result<Scene> scene_of(const FilmOptions& options)
 {
     const auto accelerator = accelerator_named(options.view.accelerator);
     if (!accelerator)
@@ -70,7 +70,7 @@ Result<Scene> scene_of(const Options& options)
 
 /// Gives the film its frames, up to a stop. Two buffers take turns, as the hardware's do: what a
 /// frame does not draw shows the frame before the last.
-Result<void> add_frames(const Scene& scene, const Options& options, pictures::FilmWriter& film,
+Result<void> add_frames(const Scene& scene, const FilmOptions& options, pictures::FilmWriter& film,
                         const std::stop_token& stop)
 {
     const engine::Model& model = engine::model_of(scene.description);
@@ -96,7 +96,7 @@ Result<void> add_frames(const Scene& scene, const Options& options, pictures::Fi
 }
 
 /// The exit status.
-Result<int> make_film(const Options& options)
+Result<int> make_film(const FilmOptions& options)
 {
     const auto scene = scene_of(options);
     if (!scene)
@@ -123,7 +123,7 @@ void add_film(CLI::App& app, Run& run)
 {
     CLI::App* const command =
         app.add_subcommand("film", "frames of the accelerator, moving, as a film");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<FilmOptions>();
     add_view_options(*command, options->view);
     command->add_option("--frames", options->frames, "how many")
         ->check(CLI::Range(1U, most_frames))

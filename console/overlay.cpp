@@ -26,7 +26,7 @@ namespace
 
 using drivers::KernelTree;
 
-struct Options
+struct OverlayOptions
 {
     std::string root = "/sys";
     std::string bitstream; ///< empty: raymarch.bit in the firmware folder
@@ -73,7 +73,7 @@ void warn_of_unchecked(const drivers::LogicFiles& files)
                                     "to them cannot be seen");
 }
 
-int load(const Options& options)
+int load(const OverlayOptions& options)
 {
     KernelTree tree(options.root);
     drivers::LogicFiles files{.bitstream_name =
@@ -99,7 +99,7 @@ int load(const Options& options)
     return EX_OK;
 }
 
-int unload(const Options& options)
+int unload(const OverlayOptions& options)
 {
     KernelTree tree(options.root);
     const auto removed = drivers::unload_logic(tree);
@@ -132,7 +132,7 @@ void print_holders(const KernelTree& tree, const std::string& overlay_name)
                                            absent ? "load" : "unload' and then 'overlay load"));
 }
 
-int status(const Options& options)
+int status(const OverlayOptions& options)
 {
     const KernelTree tree(options.root);
     const auto manager = drivers::find_fpga_manager(tree);
@@ -158,8 +158,8 @@ void add_overlay(CLI::App& app, Run& run)
     CLI::App* const command =
         app.add_subcommand("overlay", "the board's logic and its device tree overlay");
     command->require_subcommand(1);
-    const auto options = std::make_shared<Options>();
-    const auto add = [&](const char* name, const char* help, int (*action)(const Options&)) {
+    const auto options = std::make_shared<OverlayOptions>();
+    const auto add = [&](const char* name, const char* help, int (*action)(const OverlayOptions&)) {
         CLI::App* const verb = command->add_subcommand(name, help);
         verb->add_option("--sysfs-root", options->root,
                          "what stands in for /sys (default); the firmware folder and the devices "

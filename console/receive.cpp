@@ -28,7 +28,7 @@ namespace
 using protocol::FrameFate;
 using protocol::PictureAssembler;
 
-struct Options
+struct ReceiveOptions
 {
     std::string interface;
     std::string capture;
@@ -80,7 +80,8 @@ Result<void> take_from(PictureAssembler& assembler, drivers::FramePort& port,
     return {};
 }
 
-Result<void> take_picture(PictureAssembler& assembler, const Options& options, std::size_t& cut)
+Result<void> take_picture(PictureAssembler& assembler, const ReceiveOptions& options,
+                          std::size_t& cut)
 {
     if (!options.capture.empty())
         return take_capture(assembler, options.capture, cut);
@@ -107,7 +108,7 @@ std::string as_ranges(const std::vector<std::size_t>& rising)
     return text;
 }
 
-Error incomplete(const PictureAssembler& assembler, const Options& options, std::size_t cut)
+Error incomplete(const PictureAssembler& assembler, const ReceiveOptions& options, std::size_t cut)
 {
     const bool from_file = !options.capture.empty();
     const auto missing = assembler.missing_rows();
@@ -139,7 +140,7 @@ void print_notes(const PictureAssembler& assembler)
                            "earlier picture\n");
 }
 
-Result<void> receive(const Options& options)
+Result<void> receive(const ReceiveOptions& options)
 {
     if (auto possible = check_picture_output(options.output); !possible)
         return possible;
@@ -163,7 +164,7 @@ void add_receive(CLI::App& app, Run& run)
 {
     CLI::App* const command =
         app.add_subcommand("receive", "the picture of an export, from its Ethernet frames");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ReceiveOptions>();
     CLI::Option_group* const where = command->add_option_group("where from");
     CLI::Option* const interface =
         where->add_option("--interface", options->interface, "a network interface; CAP_NET_RAW")

@@ -22,7 +22,7 @@ namespace raymarch::console
 namespace
 {
 
-struct Options
+struct RenderOptions
 {
     ViewOptions view;
     DrawOptions drawing;
@@ -31,7 +31,7 @@ struct Options
 };
 
 /// The part of a picture of that size that is asked for.
-Result<protocol::Tile> tile_of(const Options& options, protocol::PictureSize size)
+Result<protocol::Tile> tile_of(const RenderOptions& options, protocol::PictureSize size)
 {
     if (!options.tile)
         return protocol::Tile{.size = size};
@@ -54,7 +54,7 @@ engine::Image cut(engine::Image& image, const protocol::Tile& tile)
     return part;
 }
 
-Result<void> render(const Options& options)
+Result<void> render(const RenderOptions& options)
 {
     const auto accelerator = accelerator_named(options.view.accelerator);
     if (!accelerator)
@@ -89,7 +89,7 @@ void add_render(CLI::App& app, Run& run)
 {
     CLI::App* const command =
         app.add_subcommand("render", "the picture that the accelerator draws, by its exact model");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<RenderOptions>();
     add_view_options(*command, options->view);
     add_draw_options(*command, options->drawing);
     command

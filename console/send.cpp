@@ -17,13 +17,13 @@ namespace raymarch::console
 namespace
 {
 
-struct Options
+struct SendOptions
 {
     Endpoint endpoint;
     std::vector<std::string> lines;
 };
 
-int send(const Options& options)
+int send(const SendOptions& options)
 {
     for (const std::string& line : options.lines)
         if (line.find('\n') != std::string::npos)
@@ -49,7 +49,7 @@ void add_send(CLI::App& app, Run& run)
 {
     CLI::App* const command =
         app.add_subcommand("send", "sends lines and prints the replies; 0 if all are OK");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SendOptions>();
     add_endpoint_options(*command, options->endpoint);
     add_texts(*command, "LINE", options->lines, "frames and commands, one an argument")->required();
     command->callback([options, &run] { run = [options] { return send(*options); }; });

@@ -24,7 +24,7 @@ namespace raymarch::console
 namespace
 {
 
-struct Options
+struct SheetOptions
 {
     std::vector<std::string> views;
     std::string accelerator;
@@ -56,7 +56,7 @@ Result<pictures::SheetEntry> draw_view(const std::string& view, unsigned threads
 
 /// What is asked for: the views named, else all presets of the accelerator named, else the defaults
 /// of every accelerator.
-Result<std::vector<std::string>> views_of(const Options& options)
+Result<std::vector<std::string>> views_of(const SheetOptions& options)
 {
     if (!options.views.empty())
         return options.views;
@@ -74,7 +74,7 @@ Result<std::vector<std::string>> views_of(const Options& options)
     return views;
 }
 
-Result<void> draw_sheet(const Options& options)
+Result<void> draw_sheet(const SheetOptions& options)
 {
     if (auto possible = check_picture_output(options.output); !possible)
         return possible;
@@ -97,7 +97,7 @@ Result<void> draw_sheet(const Options& options)
 void add_sheet(CLI::App& app, Run& run)
 {
     CLI::App* const command = app.add_subcommand("sheet", "many views on one contact sheet");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SheetOptions>();
     CLI::Option* const views = add_texts(
         *command, "VIEW", options->views,
         "NAME:PRESET of an accelerator, or NAME for its defaults; none: the defaults of all");

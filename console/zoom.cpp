@@ -33,7 +33,7 @@ namespace mandelbulb = engine::mandelbulb;
 using motion::mandelbulb::max_zoom;
 using motion::mandelbulb::min_zoom;
 
-struct Options
+struct ZoomOptions
 {
     std::string preset = "whole";
     std::vector<unsigned> pixel{606, 229};
@@ -82,7 +82,7 @@ Result<protocol::State> state_of_preset(const std::string& name)
 }
 
 /// The view of the pixel's point at a level; deep ones take more steps and iterations.
-Result<protocol::State> state_at(const protocol::State& from, const Options& options, int level)
+Result<protocol::State> state_at(const protocol::State& from, const ZoomOptions& options, int level)
 {
     const motion::mandelbulb::World world = motion::mandelbulb::enter(from);
     const auto near = motion::mandelbulb::approach(
@@ -111,7 +111,7 @@ Result<engine::Image> draw_column(const Column& column, const protocol::State& s
     return image;
 }
 
-Result<void> zoom(const Options& options)
+Result<void> zoom(const ZoomOptions& options)
 {
     if (!options.output.empty())
         if (auto possible = check_picture_output(options.output); !possible)
@@ -162,7 +162,7 @@ void add_zoom(CLI::App& app, Run& run)
     CLI::App* const command = app.add_subcommand(
         "zoom", "deep views of the mandelbulb at a point that a pixel shows: frames, or a sheet "
                 "of pictures by float, double and the accelerator's arithmetic");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ZoomOptions>();
     command->add_option("--preset", options->preset, "the view whose pixel is approached")
         ->type_name("NAME")
         ->capture_default_str();

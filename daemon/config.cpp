@@ -240,7 +240,7 @@ constexpr std::string_view default_name = protocol::default_accelerator.name;
 
 // Laid out by hand: one row a setting.
 // clang-format off
-constexpr std::array table = {
+constexpr std::array settings_table = {
     Setting{"accelerator",      "NAME",                       default_name,               "the accelerator of a block that does not tell its kind, and of the emulated one", set_accelerator},
     Setting{"registers",        registers_values,             "auto",                     "the register block; auto is the UIO device named raymarch on a Zynq and where there is one, else emulated", set_registers},
     Setting{"serial",           serial_values,                "/dev/ttyPS0@115200",       "the serial host; pty makes a pseudo-terminal and a link to it", set_serial},
@@ -302,7 +302,8 @@ using Apply = Result<void> (*)(Config&, std::string_view, std::string_view);
 /// One entry at the top of the file whose value is not for a setting.
 Result<void> refuse_value(std::string_view name, const toml::node& node)
 {
-    const bool known = std::ranges::find(table, name, &Setting::name) != table.end();
+    const bool known =
+        std::ranges::find(settings_table, name, &Setting::name) != settings_table.end();
     if (!known && !node.is_table())
         return fail(plain_error(ErrorKind::Config, fmt::format("there is no setting '{}'", name)));
     if (!node.is_table())
@@ -347,13 +348,13 @@ Result<void> read_entry(const toml::key& key, const toml::node& node, const std:
 
 std::span<const Setting> settings() noexcept
 {
-    return table;
+    return settings_table;
 }
 
 Config default_config()
 {
     Config config;
-    for (const Setting& setting : table)
+    for (const Setting& setting : settings_table)
         static_cast<void>(setting.set(config, setting.initial)); // a test proves that each is taken
     for (const Action& action : actions())
         config.gpio.lines.push_back(drivers::parse_line_spec(action.line)); // and that each is one
@@ -362,7 +363,7 @@ Config default_config()
 
 Result<void> set(Config& config, std::string_view name, std::string_view text)
 {
-    for (const Setting& setting : table) {
+    for (const Setting& setting : settings_table) {
         if (setting.name != name)
             continue;
         auto result = setting.set(config, text);

@@ -18,11 +18,6 @@ using namespace protocol; // NOLINT(google-build-using-namespace): this file spe
 
 constexpr std::string_view protocol_version = "1";
 
-Fault argument_fault(Text words, std::string_view allowed) noexcept
-{
-    return {.code = ErrorCode::Argument, .column = words.column, .allowed = allowed};
-}
-
 /// The first word, and a fault for a second one.
 struct OneWord
 {

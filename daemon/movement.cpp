@@ -20,12 +20,6 @@ using protocol::Fault;
 constexpr unsigned most_steps = 1000;
 constexpr unsigned default_rate = 20;
 
-tl::unexpected<Fault> argument_fault(protocol::Text at, std::string_view allowed) noexcept
-{
-    return tl::unexpected(
-        Fault{.code = ErrorCode::Argument, .column = at.column, .allowed = allowed});
-}
-
 using InputOf = std::optional<Input> (*)(std::string_view direction) noexcept;
 
 tl::expected<Steps, Fault> read_steps(protocol::Text words, InputOf input_of,
@@ -36,7 +30,7 @@ tl::expected<Steps, Fault> read_steps(protocol::Text words, InputOf input_of,
         return tl::unexpected(read.error());
     if (const auto input = input_of(read->word.bytes))
         return Steps{.inputs = *input, .count = read->count};
-    return argument_fault(words, allowed);
+    return tl::unexpected(argument_fault(words, allowed));
 }
 
 } // namespace
@@ -60,10 +54,10 @@ tl::expected<unsigned, Fault> read_animate(protocol::Text words) noexcept
     if (protocol::equal_ignoring_case(read->word.bytes, "on"))
         return read->count;
     if (!protocol::equal_ignoring_case(read->word.bytes, "off"))
-        return argument_fault(words, "ANIMATE takes on or off");
+        return tl::unexpected(argument_fault(words, "ANIMATE takes on or off"));
     if (read->word.bytes.size() < words.bytes.size())
-        return argument_fault(words.from(read->word.bytes.size()).trimmed(),
-                              "ANIMATE off takes no rate");
+        return tl::unexpected(argument_fault(words.from(read->word.bytes.size()).trimmed(),
+                                             "ANIMATE off takes no rate"));
     return 0U;
 }
 

@@ -15,11 +15,6 @@ namespace
 
 using Triple = std::array<double, 3>;
 
-Fault argument_fault(Text at, std::string_view allowed = {}) noexcept
-{
-    return {.code = ErrorCode::Argument, .column = at.column, .allowed = allowed};
-}
-
 tl::expected<double, Fault> read_number(Text text, const ArgumentRange& range) noexcept
 {
     const auto exact = parse_decimal(text.bytes);
@@ -65,6 +60,11 @@ void set_hue(const Accelerator& accelerator, double hue, State& state) noexcept
 }
 
 } // namespace
+
+Fault argument_fault(Text at, std::string_view allowed) noexcept
+{
+    return {.code = ErrorCode::Argument, .column = at.column, .allowed = allowed};
+}
 
 void set_orbit(const Accelerator& accelerator, double yaw_degrees, double pitch_degrees,
                State& state) noexcept
@@ -117,7 +117,7 @@ std::optional<Fault> apply_view(const Accelerator& accelerator, Text words, Stat
     const ParameterIndex zoom = accelerator.camera->zoom;
     const auto zoom_code = quantize(accelerator.parameters[zoom], zoom_text.bytes);
     if (!zoom_code) {
-        Fault fault = argument_fault(zoom_text);
+        Fault fault = argument_fault(zoom_text, {});
         fault.parameter = zoom; // so that the reply tells its range
         return fault;
     }

@@ -27,6 +27,9 @@ struct ArgumentRange
     std::string_view allowed; ///< the sentence of the reply when it is not met
 };
 
+/// What is wrong with a command's words, at their column; `allowed` is the sentence of the reply.
+[[nodiscard]] Fault argument_fault(Text at, std::string_view allowed) noexcept;
+
 inline constexpr ArgumentRange yaw_range = {"yaw", "-1000000", "1000000",
                                             "yaw is -1000000 to 1000000 degrees"};
 inline constexpr ArgumentRange pitch_range = {"pitch", "-89.9", "89.9",

@@ -23,12 +23,12 @@ namespace raymarch::daemon
 namespace
 {
 
-constexpr const protocol::Accelerator& accelerator = protocol::marcher::description;
+constexpr const protocol::Accelerator& described = protocol::marcher::description;
 constexpr const protocol::Accelerator& other = protocol::fractal::description;
 
 protocol::State with_zoom(std::int64_t code)
 {
-    protocol::State state = protocol::initial_state(accelerator);
+    protocol::State state = protocol::initial_state(described);
     state.codes[protocol::marcher::ZM] = code;
     return state;
 }
@@ -36,7 +36,7 @@ protocol::State with_zoom(std::int64_t code)
 /// Whether `store` saves it, by its own word.
 bool save(StateStore& store, const protocol::State& state)
 {
-    return store.save(accelerator, state).get() == state;
+    return store.save(described, state).get() == state;
 }
 
 /// What a service that starts now finds.
@@ -44,13 +44,13 @@ std::optional<protocol::State> last_in(const std::string& path)
 {
     StateStore store(path, {});
     store.read();
-    return store.last(accelerator);
+    return store.last(described);
 }
 
 std::string file_of(const protocol::State& state)
 {
     PersistedStates states;
-    states.of(accelerator) = {.last = state, .saved = state};
+    states.of(described) = {.last = state, .saved = state};
     return format_state_file(states);
 }
 
@@ -67,17 +67,17 @@ TEST_F(Store, WithoutAFileThereIsNothing)
     testing::internal::CaptureStderr();
     store.read();
     EXPECT_EQ(testing::internal::GetCapturedStderr(), ""); // told from `info` on
-    EXPECT_FALSE(store.last(accelerator));
-    EXPECT_FALSE(store.load(accelerator).get());
+    EXPECT_FALSE(store.last(described));
+    EXPECT_FALSE(store.load(described).get());
 }
 
 TEST_F(Store, WithoutAPathNothingIsKept)
 {
     StateStore store("", {});
     store.read();
-    store.changed(accelerator, with_zoom(1));
+    store.changed(described, with_zoom(1));
     EXPECT_FALSE(save(store, with_zoom(1)));
-    EXPECT_FALSE(store.load(accelerator).get());
+    EXPECT_FALSE(store.load(described).get());
 }
 
 TEST_F(Store, WhatIsSavedIsInTheFile)
@@ -87,7 +87,7 @@ TEST_F(Store, WhatIsSavedIsInTheFile)
     EXPECT_EQ(test::read_text(path), file_of(with_zoom(1)));
     ASSERT_TRUE(save(store, with_zoom(2)));
     EXPECT_EQ(test::read_text(path), file_of(with_zoom(2)));
-    EXPECT_EQ(store.load(accelerator).get(), with_zoom(2));
+    EXPECT_EQ(store.load(described).get(), with_zoom(2));
     EXPECT_EQ(last_in(path), with_zoom(2));
     EXPECT_EQ(test::names_in(folder / ""),
               std::vector<std::string>{"state"}); // and nothing else is left
@@ -125,9 +125,9 @@ TEST_F(Store, AChangeIsWrittenLater)
     const UniqueFd moves(::inotify_init1(IN_CLOEXEC | IN_NONBLOCK));
     ASSERT_GE(::inotify_add_watch(moves.get(), (folder / "").c_str(), IN_MOVED_TO), 0);
     StateStore store(path, {});
-    store.changed(accelerator, with_zoom(1));
-    store.changed(accelerator, with_zoom(2));
-    EXPECT_EQ(store.last(accelerator), with_zoom(2));
+    store.changed(described, with_zoom(1));
+    store.changed(described, with_zoom(2));
+    EXPECT_EQ(store.last(described), with_zoom(2));
     ASSERT_TRUE(test::readable(moves.get()));
     EXPECT_EQ(last_in(path), with_zoom(2));
 }
@@ -136,7 +136,7 @@ TEST_F(Store, AChangeIsWrittenAtTheEnd)
 {
     {
         StateStore store(path, {});
-        store.changed(accelerator, with_zoom(1));
+        store.changed(described, with_zoom(1));
     }
     EXPECT_EQ(last_in(path), with_zoom(1));
 }
@@ -146,14 +146,14 @@ TEST_F(Store, TheLastAndTheSavedStateAreTwo)
     {
         StateStore store(path, {});
         ASSERT_TRUE(save(store, with_zoom(1)));
-        store.changed(accelerator, with_zoom(2));
+        store.changed(described, with_zoom(2));
         store.changed(other, protocol::initial_state(other));
-        EXPECT_EQ(store.load(accelerator).get(), with_zoom(1));
+        EXPECT_EQ(store.load(described).get(), with_zoom(1));
     }
     StateStore store(path, {});
     store.read();
-    EXPECT_EQ(store.last(accelerator), with_zoom(2));
-    EXPECT_EQ(store.load(accelerator).get(), with_zoom(1));
+    EXPECT_EQ(store.last(described), with_zoom(2));
+    EXPECT_EQ(store.load(described).get(), with_zoom(1));
     EXPECT_EQ(store.load(other).get(), protocol::initial_state(other)); // saved none: the last
 }
 
@@ -163,7 +163,7 @@ TEST_F(Store, TellsThatAnAnswerIsThere)
     {
         StateStore store(path, [&] { ++told; });
         ASSERT_TRUE(save(store, with_zoom(1)));
-        static_cast<void>(store.load(accelerator).get());
+        static_cast<void>(store.load(described).get());
     }
     EXPECT_EQ(told, 2);
 }
@@ -172,7 +172,7 @@ TEST_F(Store, NobodyNeedsToTakeAnAnswer)
 {
     {
         StateStore store(path, {});
-        static_cast<void>(store.save(accelerator, with_zoom(3)));
+        static_cast<void>(store.save(described, with_zoom(3)));
     }
     EXPECT_EQ(last_in(path), with_zoom(3));
 }
@@ -183,7 +183,7 @@ TEST_F(Store, ManySavesAtOnceAreAllAnswered)
     std::vector<StoredState> answers;
     answers.reserve(50);
     for (int i = 0; i < 50; ++i)
-        answers.push_back(store.save(accelerator, with_zoom(i)));
+        answers.push_back(store.save(described, with_zoom(i)));
     for (int i = 0; i < 50; ++i)
         EXPECT_EQ(answers[static_cast<std::size_t>(i)].get(), with_zoom(i));
     EXPECT_EQ(test::read_text(path), file_of(with_zoom(49)));
@@ -196,13 +196,13 @@ TEST_F(Store, AFileThatSomebodyPutsThereIsLoaded)
         StateStore store(path, {});
         ASSERT_TRUE(save(store, with_zoom(1)));
         test::write_text(path, file_of(with_zoom(7)));
-        EXPECT_EQ(store.load(accelerator).get(), with_zoom(7));
-        store.changed(accelerator, with_zoom(8));
+        EXPECT_EQ(store.load(described).get(), with_zoom(7));
+        store.changed(described, with_zoom(8));
     }
     StateStore store(path, {});
     store.read();
-    EXPECT_EQ(store.last(accelerator), with_zoom(8));
-    EXPECT_EQ(store.load(accelerator).get(), with_zoom(7));
+    EXPECT_EQ(store.last(described), with_zoom(8));
+    EXPECT_EQ(store.load(described).get(), with_zoom(7));
 }
 
 struct BadFile
@@ -234,8 +234,8 @@ TEST_P(BadFiles, AreKept)
         StateStore store(path, {});
         store.read();
         EXPECT_EQ(test::read_text(path), GetParam().content);
-        EXPECT_FALSE(store.last(accelerator));
-        EXPECT_FALSE(store.load(accelerator).get());
+        EXPECT_FALSE(store.last(described));
+        EXPECT_FALSE(store.load(described).get());
         EXPECT_EQ(test::read_text(path), GetParam().content);
         ASSERT_TRUE(save(store, with_zoom(1)));
         ASSERT_TRUE(save(store, with_zoom(2)));
@@ -306,7 +306,7 @@ TEST_F(Store, AFifoIsNotWaitedFor)
         StateStore store(path, {});
         store.read();
         EXPECT_FALSE(save(store, with_zoom(1)));
-        EXPECT_FALSE(store.load(accelerator).get());
+        EXPECT_FALSE(store.load(described).get());
     }
     static_cast<void>(testing::internal::GetCapturedStderr());
     EXPECT_TRUE(std::filesystem::is_fifo(path));
@@ -321,7 +321,7 @@ TEST_F(Store, AFolderThatIsNotThereIsAWarningOnceAndTheStateIsWrittenWhenItIs)
         store.read();
         for (int i = 0; i < 3; ++i)
             EXPECT_FALSE(save(store, with_zoom(i)));
-        store.changed(accelerator, with_zoom(4));
+        store.changed(described, with_zoom(4));
         std::filesystem::create_directory(missing);
     }
     const std::string log = testing::internal::GetCapturedStderr();
@@ -341,14 +341,14 @@ TEST_F(Store, ASaveThatFailedIsNotWhatIsLoaded)
     std::filesystem::remove(path);
     std::filesystem::rename(folder / "away", path);
     static_cast<void>(testing::internal::GetCapturedStderr());
-    EXPECT_EQ(store.load(accelerator).get(), with_zoom(1));
+    EXPECT_EQ(store.load(described).get(), with_zoom(1));
 }
 
 /// States of a newer version stay in the file.
 TEST_F(Store, StatesOfUnknownAcceleratorsStay)
 {
     PersistedStates states;
-    states.of(accelerator).last = with_zoom(1);
+    states.of(described).last = with_zoom(1);
     states.others = "last unheard_of CX=0\nsaved unheard_of CX=1\n";
     test::write_text(path, format_state_file(states));
     StateStore store(path, {});

@@ -403,8 +403,8 @@ TEST_F(Pty, WhoReadsBesideOthersThatComeAndGoLosesNothing)
     EXPECT_EQ(heard, "OK\r\nOK\r\nOK\r\n");
 }
 
-/// Two hosts that come together are counted as one. However wrong the count, the service's own visit
-/// must not count as a host that follows: it would visit, and flush replies, for ever.
+/// Two hosts that come together are counted as one. However wrong the count, the service's own
+/// visit must not count as a host that follows: it would visit, and flush replies, for ever.
 TEST_F(Pty, ComesToRestAlsoWhenHostsWereMiscounted)
 {
     std::optional<Host> first(std::in_place, link);

@@ -21,10 +21,10 @@ namespace
 using protocol::Register;
 namespace control = protocol::control;
 
-constexpr engine::PictureSize size = {24, 18};
+constexpr engine::PictureSize small_size = {24, 18};
 
 /// Keeps the newest frame and their number.
-class Screen
+class NewestPicture
 {
   public:
     void take(const engine::Image& image)
@@ -58,14 +58,14 @@ class AllModels : public testing::TestWithParam<engine::Model>
         const engine::Model& model = GetParam();
         const protocol::Accelerator& accelerator = *model.description;
         const protocol::Words words = protocol::pack(accelerator, state);
-        engine::Image expected(size);
+        engine::Image expected(small_size);
         engine::Painter painter(1);
         draw_still(painter, {model, words}, expected);
 
-        Screen screen;
-        const auto block =
-            EmulatedBlock::open(model, {.form = BlockForm::Extended, .size = size, .threads = 2},
-                                [&](const engine::Image& image) { screen.take(image); });
+        NewestPicture screen;
+        const auto block = EmulatedBlock::open(
+            model, {.form = BlockForm::Extended, .size = small_size, .threads = 2},
+            [&](const engine::Image& image) { screen.take(image); });
         ASSERT_TRUE(block);
         const auto write = [&](std::size_t offset, std::uint32_t word) {
             (*block)->write({static_cast<std::uint16_t>(offset)}, word);
@@ -101,17 +101,17 @@ TEST(Checkerboard, IsCompleteAfterFourFrames)
     const engine::Model& model = engine::model_of(protocol::fractal::description);
     protocol::State state = protocol::initial_state(protocol::fractal::description);
     protocol::ParameterSet given;
-    engine::Image whole(size);
+    engine::Image whole(small_size);
     engine::Painter painter(1);
     draw_still(painter, {model, pack(*model.description, state)}, whole);
     ASSERT_FALSE(
         protocol::read_assignments(*model.description, {.bytes = "CHECKER=on"}, state, given));
     const protocol::Words words = pack(*model.description, state);
     EXPECT_EQ(frames_of_a_still(model, words), 4U);
-    engine::Image halves(size);
+    engine::Image halves(small_size);
     draw_still(painter, {model, words}, halves);
     EXPECT_EQ(halves.rgb, whole.rgb);
-    engine::Image first(size);
+    engine::Image first(small_size);
     draw(model, words, first, 1, 0);
     EXPECT_NE(first.rgb, whole.rgb);
 }

@@ -3,6 +3,7 @@
 
 #include "protocol/assignments.hpp"
 #include "tests/fakes/descriptions.hpp"
+#include "tests/protocol/accelerator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +19,6 @@ namespace raymarch::protocol
 {
 namespace
 {
-
-constexpr const Accelerator& accelerator = marcher::description;
 
 State view(std::string_view words)
 {
@@ -76,7 +75,7 @@ TEST(View, LeavesLightColourAndSceneAlone)
         EXPECT_EQ(state.codes[i], initial.codes[i]) << accelerator.parameters[i].key;
 }
 
-struct FaultRow
+struct BadArguments
 {
     std::string_view words;
     std::size_t column;
@@ -84,23 +83,23 @@ struct FaultRow
 };
 
 constexpr std::array view_faults = {
-    FaultRow{"", 1, false},
-    FaultRow{"1", 2, false},
-    FaultRow{"1,2", 4, true},
-    FaultRow{"1,2,", 5, true},
-    FaultRow{"x,2,3", 1, false},
-    FaultRow{"1000000.0000000000000000001,0,3", 1, false},
-    FaultRow{"0,89.90000000000000000000001,3", 3, false},
-    FaultRow{"0,-90,3", 3, false},
-    FaultRow{"0, 0 , 10.00000000001", 8, true},
-    FaultRow{"0,0,-0.1", 5, true},
-    FaultRow{"0,0,1,", 7, false},
-    FaultRow{"0,0,1, 2", 8, false},
+    BadArguments{"", 1, false},
+    BadArguments{"1", 2, false},
+    BadArguments{"1,2", 4, true},
+    BadArguments{"1,2,", 5, true},
+    BadArguments{"x,2,3", 1, false},
+    BadArguments{"1000000.0000000000000000001,0,3", 1, false},
+    BadArguments{"0,89.90000000000000000000001,3", 3, false},
+    BadArguments{"0,-90,3", 3, false},
+    BadArguments{"0, 0 , 10.00000000001", 8, true},
+    BadArguments{"0,0,-0.1", 5, true},
+    BadArguments{"0,0,1,", 7, false},
+    BadArguments{"0,0,1, 2", 8, false},
 };
 
 TEST(View, FaultsLeaveTheStateAlone)
 {
-    for (const FaultRow& row : view_faults) {
+    for (const BadArguments& row : view_faults) {
         State state = initial_state(accelerator);
         const auto fault = apply_view(accelerator, {.bytes = row.words}, state);
         ASSERT_TRUE(fault) << row.words;

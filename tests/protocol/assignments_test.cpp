@@ -4,6 +4,7 @@
 #include "protocol/accelerators.hpp"
 #include "protocol/reply.hpp"
 #include "tests/fakes/descriptions.hpp"
+#include "tests/protocol/accelerator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +19,8 @@ namespace
 {
 
 // The tests with numbers typed by hand are the marcher's.
-constexpr const Accelerator& accelerator = marcher::description;
 
-struct FaultRow
+struct BadAssignment
 {
     std::string_view text;
     ErrorCode code;
@@ -28,31 +28,32 @@ struct FaultRow
     std::string_view key; ///< of the parameter, or the unknown word
 };
 
-constexpr std::array fault_rows = {
-    FaultRow{"", ErrorCode::Syntax, 1, ""},
-    FaultRow{"FX", ErrorCode::Syntax, 1, ""},
-    FaultRow{"=0", ErrorCode::Syntax, 1, ""},
-    FaultRow{"FX=0,", ErrorCode::Syntax, 6, ""},
-    FaultRow{",FX=0", ErrorCode::Syntax, 1, ""},
-    FaultRow{"FX=0,,FY=0", ErrorCode::Syntax, 6, ""},
-    FaultRow{"F X=0", ErrorCode::Syntax, 1, ""},
-    FaultRow{"F1=0", ErrorCode::Syntax, 1, ""}, // keys are letters
-    FaultRow{"FX=0, FQ =1", ErrorCode::UnknownKey, 7, "FQ"},
-    FaultRow{"FX=0,fx=1", ErrorCode::DuplicateKey, 6, "FX"},
-    FaultRow{"FX=0, fy = 0 0", ErrorCode::Number, 12, "FY"},
-    FaultRow{"FX=", ErrorCode::Number, 4, "FX"},
-    FaultRow{"FX==0", ErrorCode::Number, 4, "FX"},
-    FaultRow{"ZM=0,ZM=x", ErrorCode::DuplicateKey, 6, "ZM"}, // the key is judged before the value
-    FaultRow{"FX=2", ErrorCode::Range, 4, "FX"},
-    FaultRow{"OBJ=", ErrorCode::Object, 5, "OBJ"},
-    FaultRow{"OBJ=4", ErrorCode::Object, 5, "OBJ"},
-    FaultRow{"OBJ=00", ErrorCode::Object, 5, "OBJ"},
-    FaultRow{"OBJ=cubes", ErrorCode::Object, 5, "OBJ"},
+constexpr std::array bad_assignments = {
+    BadAssignment{"", ErrorCode::Syntax, 1, ""},
+    BadAssignment{"FX", ErrorCode::Syntax, 1, ""},
+    BadAssignment{"=0", ErrorCode::Syntax, 1, ""},
+    BadAssignment{"FX=0,", ErrorCode::Syntax, 6, ""},
+    BadAssignment{",FX=0", ErrorCode::Syntax, 1, ""},
+    BadAssignment{"FX=0,,FY=0", ErrorCode::Syntax, 6, ""},
+    BadAssignment{"F X=0", ErrorCode::Syntax, 1, ""},
+    BadAssignment{"F1=0", ErrorCode::Syntax, 1, ""}, // keys are letters
+    BadAssignment{"FX=0, FQ =1", ErrorCode::UnknownKey, 7, "FQ"},
+    BadAssignment{"FX=0,fx=1", ErrorCode::DuplicateKey, 6, "FX"},
+    BadAssignment{"FX=0, fy = 0 0", ErrorCode::Number, 12, "FY"},
+    BadAssignment{"FX=", ErrorCode::Number, 4, "FX"},
+    BadAssignment{"FX==0", ErrorCode::Number, 4, "FX"},
+    BadAssignment{"ZM=0,ZM=x", ErrorCode::DuplicateKey, 6,
+                  "ZM"}, // the key is judged before the value
+    BadAssignment{"FX=2", ErrorCode::Range, 4, "FX"},
+    BadAssignment{"OBJ=", ErrorCode::Object, 5, "OBJ"},
+    BadAssignment{"OBJ=4", ErrorCode::Object, 5, "OBJ"},
+    BadAssignment{"OBJ=00", ErrorCode::Object, 5, "OBJ"},
+    BadAssignment{"OBJ=cubes", ErrorCode::Object, 5, "OBJ"},
 };
 
 TEST(MarcherAssignments, TheFirstFaultWins)
 {
-    for (const FaultRow& row : fault_rows) {
+    for (const BadAssignment& row : bad_assignments) {
         State state;
         ParameterSet given;
         const auto fault = read_assignments(accelerator, {.bytes = row.text}, state, given);

@@ -104,14 +104,14 @@ TEST_P(Texts, TheEndsOfARangeAreWrittenAsTheTableWritesThem)
     }
 }
 
-#ifdef __SIZEOF_INT128__              // an independent wide integer; 32-bit targets have none
-__extension__ typedef __int128 Exact; // NOLINT(modernize-use-using)
+#ifdef __SIZEOF_INT128__                  // an independent wide integer; 32-bit targets have none
+__extension__ typedef __int128 Signed128; // NOLINT(modernize-use-using)
 
 /// numerator / denominator, ties away from zero or to even; both positive.
-Exact divide_to_nearest(Exact numerator, Exact denominator, bool ties_to_even)
+Signed128 divide_to_nearest(Signed128 numerator, Signed128 denominator, bool ties_to_even)
 {
-    const Exact floor = numerator / denominator;
-    const Exact doubled_rest = 2 * (numerator % denominator);
+    const Signed128 floor = numerator / denominator;
+    const Signed128 doubled_rest = 2 * (numerator % denominator);
     if (doubled_rest == denominator)
         return floor + (ties_to_even ? floor & 1 : 1);
     return floor + (doubled_rest > denominator ? 1 : 0);
@@ -120,12 +120,12 @@ Exact divide_to_nearest(Exact numerator, Exact denominator, bool ties_to_even)
 /// The places that the shortest text of `code` has, by integer arithmetic on the definition.
 int fewest_places(const Parameter& parameter, std::int64_t code)
 {
-    const Exact one = Exact{1} << parameter.format.fraction_bits;
-    const Exact magnitude = code < 0 ? -code : code;
-    const Exact limit = code < 0 ? -parameter.min_scaled : parameter.max_scaled;
-    Exact tens = 1;
+    const Signed128 one = Signed128{1} << parameter.format.fraction_bits;
+    const Signed128 magnitude = code < 0 ? -code : code;
+    const Signed128 limit = code < 0 ? -parameter.min_scaled : parameter.max_scaled;
+    Signed128 tens = 1;
     for (int places = 0;; ++places, tens *= 10) {
-        const Exact decimal = divide_to_nearest(magnitude * tens, one, false);
+        const Signed128 decimal = divide_to_nearest(magnitude * tens, one, false);
         if (decimal * one <= limit * tens &&
             divide_to_nearest(decimal * one, tens, true) == magnitude)
             return places;

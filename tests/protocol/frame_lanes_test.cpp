@@ -7,6 +7,7 @@
 #include "protocol/assignments.hpp"
 #include "protocol/quantizer.hpp"
 #include "tests/fakes/descriptions.hpp"
+#include "tests/protocol/accelerator.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -23,7 +24,6 @@ namespace raymarch::protocol
 namespace
 {
 
-constexpr const Accelerator& accelerator = marcher::description;
 constexpr std::span<const Parameter> table = accelerator.parameters;
 constexpr std::size_t size = marcher::parameters.size();
 constexpr std::size_t numbers = marcher::OBJ;

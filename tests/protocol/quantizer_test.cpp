@@ -100,44 +100,44 @@ TEST(Quantizer, TiesAndEnds)
     }
 }
 
-struct FaultRow
+struct BadValue
 {
     const Parameter* parameter;
     std::string_view text;
     ErrorCode error;
 };
 
-constexpr std::array fault_rows = {
-    FaultRow{&direction, "1.0000000000000000000000000001", ErrorCode::Range},
-    FaultRow{&direction, "-1.0000000000000000000000000001", ErrorCode::Range},
-    FaultRow{&direction, "1.000001", ErrorCode::Range},
-    FaultRow{&direction, "2", ErrorCode::Range},
-    FaultRow{&direction, "1e999", ErrorCode::Range},
-    FaultRow{&direction, "-1e999", ErrorCode::Range},
-    FaultRow{&light, "63.8750000000000000001", ErrorCode::Range},
-    FaultRow{&light, "63.88", ErrorCode::Range}, // would round to a code that is in range
-    FaultRow{&light, "64", ErrorCode::Range},
-    FaultRow{&light, "-64.00000000000000000000000001", ErrorCode::Range},
-    FaultRow{&colour, "1.0000000000000000000001", ErrorCode::Range},
-    FaultRow{&colour, "-0.00000000000000000000000001", ErrorCode::Range},
-    FaultRow{&colour, "-1e-999", ErrorCode::Range},
-    FaultRow{&zoom, "10.00000000000000000000000001", ErrorCode::Range},
-    FaultRow{&zoom, "10.1", ErrorCode::Range},
-    FaultRow{&zoom, "-1", ErrorCode::Range},
-    FaultRow{&zoom, "18446744073709551616", ErrorCode::Range},
-    FaultRow{&zoom, "99999999999999999999999999999999", ErrorCode::Range},
-    FaultRow{&zoom, "", ErrorCode::Number},
-    FaultRow{&zoom, ".", ErrorCode::Number},
-    FaultRow{&zoom, "-", ErrorCode::Number},
-    FaultRow{&zoom, "1e", ErrorCode::Number},
-    FaultRow{&zoom, "0x1", ErrorCode::Number},
-    FaultRow{&zoom, "inf", ErrorCode::Number},
-    FaultRow{&zoom, "0.0000000000000000000000000000000", ErrorCode::Number}, // 33 characters
+constexpr std::array bad_values = {
+    BadValue{&direction, "1.0000000000000000000000000001", ErrorCode::Range},
+    BadValue{&direction, "-1.0000000000000000000000000001", ErrorCode::Range},
+    BadValue{&direction, "1.000001", ErrorCode::Range},
+    BadValue{&direction, "2", ErrorCode::Range},
+    BadValue{&direction, "1e999", ErrorCode::Range},
+    BadValue{&direction, "-1e999", ErrorCode::Range},
+    BadValue{&light, "63.8750000000000000001", ErrorCode::Range},
+    BadValue{&light, "63.88", ErrorCode::Range}, // would round to a code that is in range
+    BadValue{&light, "64", ErrorCode::Range},
+    BadValue{&light, "-64.00000000000000000000000001", ErrorCode::Range},
+    BadValue{&colour, "1.0000000000000000000001", ErrorCode::Range},
+    BadValue{&colour, "-0.00000000000000000000000001", ErrorCode::Range},
+    BadValue{&colour, "-1e-999", ErrorCode::Range},
+    BadValue{&zoom, "10.00000000000000000000000001", ErrorCode::Range},
+    BadValue{&zoom, "10.1", ErrorCode::Range},
+    BadValue{&zoom, "-1", ErrorCode::Range},
+    BadValue{&zoom, "18446744073709551616", ErrorCode::Range},
+    BadValue{&zoom, "99999999999999999999999999999999", ErrorCode::Range},
+    BadValue{&zoom, "", ErrorCode::Number},
+    BadValue{&zoom, ".", ErrorCode::Number},
+    BadValue{&zoom, "-", ErrorCode::Number},
+    BadValue{&zoom, "1e", ErrorCode::Number},
+    BadValue{&zoom, "0x1", ErrorCode::Number},
+    BadValue{&zoom, "inf", ErrorCode::Number},
+    BadValue{&zoom, "0.0000000000000000000000000000000", ErrorCode::Number}, // 33 characters
 };
 
 TEST(Quantizer, FaultsAreJudgedOnTheDecimalAsWritten)
 {
-    for (const FaultRow& row : fault_rows) {
+    for (const BadValue& row : bad_values) {
         const auto code = quantize(*row.parameter, row.text);
         ASSERT_FALSE(code) << row.parameter->key << '=' << row.text;
         EXPECT_EQ(code.error(), row.error) << row.parameter->key << '=' << row.text;

@@ -3,6 +3,7 @@
 
 #include "protocol/accelerators.hpp"
 #include "tests/fakes/descriptions.hpp"
+#include "tests/protocol/accelerator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +18,6 @@ namespace raymarch::protocol
 {
 namespace
 {
-
-constexpr const Accelerator& accelerator = marcher::description;
 
 /// The words as one string of bits, word 0 first, each from bit 31 down.
 std::string bits_of(const Words& words)

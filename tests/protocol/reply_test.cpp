@@ -7,6 +7,7 @@
 #include "protocol/commands.hpp"
 #include "protocol/help.hpp"
 #include "tests/fakes/descriptions.hpp"
+#include "tests/protocol/accelerator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,8 +22,6 @@ namespace raymarch::protocol
 {
 namespace
 {
-
-constexpr const Accelerator& accelerator = marcher::description;
 
 /// The lines of a reply; fails when one does not end in CR LF.
 std::vector<std::string> lines_of(const ReplyWriter& reply)

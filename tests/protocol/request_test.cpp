@@ -48,30 +48,30 @@ TEST(Request, FramesAndCommandsAreToldApart)
     }
 }
 
-struct FaultRow
+struct BadLine
 {
     std::string_view line;
     ErrorCode code;
     std::size_t column;
 };
 
-constexpr std::array fault_rows = {
-    FaultRow{"NOPE", ErrorCode::UnknownCommand, 1},
-    FaultRow{"  nope 1", ErrorCode::UnknownCommand, 3},
-    FaultRow{"PI\x01NG", ErrorCode::BadByte, 3},
-    FaultRow{"PING\x7F", ErrorCode::BadByte, 5},
-    FaultRow{"\x80", ErrorCode::BadByte, 1},
-    FaultRow{"  \r", ErrorCode::BadByte, 3}, // not blank
-    FaultRow{"PING*11", ErrorCode::Checksum, 6},
-    FaultRow{"PING*1g", ErrorCode::Checksum, 6},
-    FaultRow{"PING*1G \t", ErrorCode::Checksum, 6}, // blanks behind the mark are dropped
-    FaultRow{"PI\x01NG*00", ErrorCode::BadByte, 3}, // judged before the checksum
-    FaultRow{"NOPE*00", ErrorCode::Checksum, 6},    // judged before the word
+constexpr std::array bad_lines = {
+    BadLine{"NOPE", ErrorCode::UnknownCommand, 1},
+    BadLine{"  nope 1", ErrorCode::UnknownCommand, 3},
+    BadLine{"PI\x01NG", ErrorCode::BadByte, 3},
+    BadLine{"PING\x7F", ErrorCode::BadByte, 5},
+    BadLine{"\x80", ErrorCode::BadByte, 1},
+    BadLine{"  \r", ErrorCode::BadByte, 3}, // not blank
+    BadLine{"PING*11", ErrorCode::Checksum, 6},
+    BadLine{"PING*1g", ErrorCode::Checksum, 6},
+    BadLine{"PING*1G \t", ErrorCode::Checksum, 6}, // blanks behind the mark are dropped
+    BadLine{"PI\x01NG*00", ErrorCode::BadByte, 3}, // judged before the checksum
+    BadLine{"NOPE*00", ErrorCode::Checksum, 6},    // judged before the word
 };
 
 TEST(Request, TheFirstFaultWins)
 {
-    for (const FaultRow& row : fault_rows) {
+    for (const BadLine& row : bad_lines) {
         const Request request = read_request({.bytes = row.line}, false);
         ASSERT_EQ(request.kind, Kind::Faulty) << row.line;
         EXPECT_EQ(request.fault.code, row.code) << row.line;

@@ -17,7 +17,6 @@ namespace raymarch::tests
 namespace
 {
 
-const std::string frame(original_frame);
 const std::string words = "01804028 03000000 00000000 07FFFFFF 7FFFC000 000003FF 00001FFF F00003FF";
 
 std::vector<std::string> with_words(std::vector<std::string> arguments)
@@ -30,7 +29,7 @@ std::vector<std::string> with_words(std::vector<std::string> arguments)
 TEST(Tool, EncodesALine)
 {
     const TemporaryFolder folder;
-    const Finished result = run_tool(folder, {"encode", frame});
+    const Finished result = run_tool(folder, {"encode", original_line});
     EXPECT_EQ(result.status, EX_OK);
     EXPECT_EQ(result.output, "OK " + words + "\n");
     EXPECT_EQ(result.errors, "");
@@ -48,9 +47,9 @@ TEST(Tool, EncodeAnswersEachLineOfItsInput)
 {
     const TemporaryFolder folder;
     using namespace std::string_view_literals;
-    std::string input = frame + "\r\n" + "\n  \t\n" + "PING\n";
+    std::string input = original_line + "\r\n" + "\n  \t\n" + "PING\n";
     input += "\0\xFF\n"sv;
-    input += std::string(1025, 'x') + "\n" + frame; // the last line has no ending
+    input += std::string(1025, 'x') + "\n" + original_line; // the last line has no ending
     const Finished result = run_tool(folder, {"encode"}, input);
     EXPECT_EQ(result.status, 1);
     std::istringstream lines(result.output);
@@ -81,7 +80,7 @@ TEST(Tool, LineWordsAndSetDrawTheSame)
 {
     const TemporaryFolder folder;
     const Finished line =
-        run_tool(folder, {"render", "--line", frame, "--size", "32x24", "-o", "-"});
+        run_tool(folder, {"render", "--line", original_line, "--size", "32x24", "-o", "-"});
     const Finished set = run_tool(folder, {"render", "--set", "OBJ=sphere", "--size", "32x24",
                                            "--threads", "1", "--reference", "-o", "-"});
     std::vector<std::string> arguments = with_words({"render", "--registers"});

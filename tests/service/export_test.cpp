@@ -4,6 +4,7 @@
 #include "service/support.hpp"
 
 #include "protocol/picture_frames.hpp"
+#include "tests/fakes/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,12 +22,6 @@ namespace
 
 constexpr std::size_t file_header = 24;
 constexpr std::size_t record_header = 16;
-
-std::string content(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void write(const std::string& path, std::string_view bytes)
 {
@@ -80,7 +75,7 @@ class Export : public testing::Test
         const Finished result =
             run_tool(folder, {"export", "--pcap", capture, "--input", folder / "in.pgm"});
         EXPECT_EQ(result.status, EX_OK) << result.errors;
-        const std::string bytes = content(capture);
+        const std::string bytes = test::read_text(capture);
         header = bytes.substr(0, file_header);
         return records_of(bytes);
     }
@@ -128,11 +123,11 @@ TEST_F(Export, ThePictureComesBack)
     const Finished result = receive();
     EXPECT_EQ(result.status, EX_OK) << result.errors;
     EXPECT_EQ(result.errors, "");
-    EXPECT_EQ(content(picture), as_ppm(some_picture()));
+    EXPECT_EQ(test::read_text(picture), as_ppm(some_picture()));
 
-    const std::string first = content(capture); // and from a PPM the same frames
+    const std::string first = test::read_text(capture); // and from a PPM the same frames
     EXPECT_EQ(run_tool(folder, {"export", "--pcap", capture, "--input", picture}).status, EX_OK);
-    EXPECT_EQ(content(capture), first);
+    EXPECT_EQ(test::read_text(capture), first);
     const Finished standard = run_tool(folder, {"receive", "--pcap", capture, "-o", "-"});
     EXPECT_EQ(standard.output, as_ppm(some_picture()));
 }
@@ -153,7 +148,7 @@ TEST_F(Export, MissingRowsAreNamed)
     protocol::GreyPicture wanted = some_picture();
     for (const std::size_t row : {3U, 17U, 18U, 19U, 20U})
         std::ranges::fill(wanted.row(row), std::uint8_t{0});
-    EXPECT_EQ(content(picture), as_ppm(wanted));
+    EXPECT_EQ(test::read_text(picture), as_ppm(wanted));
 }
 
 TEST_F(Export, DamagedDoubledAndDisorderedFrames)
@@ -167,7 +162,7 @@ TEST_F(Export, DamagedDoubledAndDisorderedFrames)
     const Finished result = receive();
     EXPECT_EQ(result.status, EX_OK) << result.errors;
     EXPECT_EQ(result.errors, "raymarchctl: damaged frames: 1, doubled rows: 1\n");
-    EXPECT_EQ(content(picture), as_ppm(some_picture()));
+    EXPECT_EQ(test::read_text(picture), as_ppm(some_picture()));
 }
 
 TEST_F(Export, TagsOfVirtualNetworksAreNoDamage)
@@ -181,7 +176,7 @@ TEST_F(Export, TagsOfVirtualNetworksAreNoDamage)
     const Finished result = receive();
     EXPECT_EQ(result.status, EX_OK);
     EXPECT_EQ(result.errors, "");
-    EXPECT_EQ(content(picture), as_ppm(some_picture()));
+    EXPECT_EQ(test::read_text(picture), as_ppm(some_picture()));
 }
 
 /// As `tcpdump -s 96` leaves them: all start frames are there, and no row.
@@ -211,7 +206,7 @@ TEST_F(Export, RowsBeforeTheStartFrameAreTakenWithANote)
     const Finished result = receive();
     EXPECT_EQ(result.status, EX_OK);
     EXPECT_NE(result.errors.find("before the start frame"), std::string::npos) << result.errors;
-    EXPECT_EQ(content(picture), as_ppm(some_picture()));
+    EXPECT_EQ(test::read_text(picture), as_ppm(some_picture()));
 }
 
 TEST_F(Export, ACaptureWithoutAPicture)
@@ -279,7 +274,7 @@ TEST_F(Export, AViewIsExportedAsItIsRendered)
         render.insert(render.end(), view.begin(), view.end());
         const Finished rendered = run_tool(folder, render);
         ASSERT_EQ(rendered.status, EX_OK) << rendered.errors;
-        EXPECT_TRUE(content(picture) == rendered.output) << view[1];
+        EXPECT_TRUE(test::read_text(picture) == rendered.output) << view[1];
     }
 }
 

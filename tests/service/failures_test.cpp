@@ -22,8 +22,6 @@ namespace raymarch::tests
 namespace
 {
 
-const std::string frame(original_frame);
-
 TEST(Failures, RegistersThatAreNotThereYetAreFound)
 {
     const TemporaryFolder folder;
@@ -32,7 +30,7 @@ TEST(Failures, RegistersThatAreNotThereYetAreFound)
     ASSERT_TRUE(service.ready());
     EXPECT_EQ(service.status("hardware"), "absent");
     Host host = Host::on_socket(service.control());
-    EXPECT_EQ(host.ask(frame).substr(0, 12), "ERR HARDWARE");
+    EXPECT_EQ(host.ask(original_line).substr(0, 12), "ERR HARDWARE");
     EXPECT_EQ(host.ask("GET ZM"), "OK ZM=3") << "reading goes on";
     std::filesystem::create_directory(late);
     ASSERT_TRUE(eventually([&] { return service.status("hardware") == "ok"; }));

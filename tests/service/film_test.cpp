@@ -10,6 +10,7 @@
 #include "protocol/accelerators.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/registers.hpp"
+#include "tests/fakes/temporary_folder.hpp"
 #include "tests/pictures/gif_reader.hpp"
 
 #include <gtest/gtest.h>
@@ -32,16 +33,10 @@ namespace
 
 namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
-using Names = std::set<std::string>;
+using NameSet = std::set<std::string>;
 
 constexpr bool has_pictures = RAYMARCH_HAS_PICTURES;
 constexpr const char* no_module = "the picture module is not built";
-
-std::string content(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::string as_ppm(const engine::Image& image)
 {
@@ -60,9 +55,9 @@ protocol::State changed(const protocol::Accelerator& accelerator, const std::str
     return state;
 }
 
-Names names_in(const std::string& folder)
+NameSet names_in(const std::string& folder)
 {
-    Names names;
+    NameSet names;
     for (const auto& entry : fs::directory_iterator(folder))
         names.insert(entry.path().filename());
     return names;
@@ -85,7 +80,7 @@ class Film : public testing::Test
     {
         std::array<char, 16> name{};
         std::snprintf(name.data(), name.size(), "f_%04d.ppm", number);
-        return content(films + name.data());
+        return test::read_text(films + name.data());
     }
     void SetUp() override { fs::create_directory(films); }
 
@@ -102,13 +97,13 @@ TEST_F(Film, AGifOfEachAccelerator)
             film(accelerator->name, "f.gif", {"--frames", "3", "--size", "24x18", "--fps", "30"});
         ASSERT_EQ(result.status, EX_OK) << accelerator->name << result.errors;
         EXPECT_EQ(result.output + result.errors, "");
-        const std::string bytes = content(films + "f.gif");
+        const std::string bytes = test::read_text(films + "f.gif");
         const test::Gif gif = test::GifReader(bytes).read();
         ASSERT_EQ(gif.frames.size(), 3U) << accelerator->name;
         EXPECT_EQ(gif.frames[0].size, (engine::PictureSize{24, 18}));
         EXPECT_EQ(gif.delays, (std::vector<unsigned>{3, 3, 4}));
     }
-    EXPECT_EQ(names_in(films), Names{"f.gif"});
+    EXPECT_EQ(names_in(films), NameSet{"f.gif"});
 }
 
 TEST_F(Film, EachFrameIsThePictureOfItsState)
@@ -123,7 +118,7 @@ TEST_F(Film, EachFrameIsThePictureOfItsState)
             more.insert(more.end(), {"--set", settings});
         const Finished result = film(accelerator->name, "f.ppm", more);
         ASSERT_EQ(result.status, EX_OK) << accelerator->name << result.errors;
-        EXPECT_EQ(names_in(films), (Names{"f_0000.ppm", "f_0001.ppm", "f_0002.ppm"}));
+        EXPECT_EQ(names_in(films), (NameSet{"f_0000.ppm", "f_0001.ppm", "f_0002.ppm"}));
         protocol::State state = changed(*accelerator, settings);
         const auto mover = motion::mover_of(*accelerator);
         const std::string first = frame(0);
@@ -157,8 +152,8 @@ TEST_F(Film, TheFirstPictureOfASequenceIsTheRenderedFile)
     Arguments render = {"render", "--accelerator", "fractal", "-o", folder / "still.png"};
     render.insert(render.end(), view.begin(), view.end());
     ASSERT_EQ(run_tool(folder, render).status, EX_OK);
-    EXPECT_EQ(names_in(films), (Names{"name_00.png", "name_01.png"}));
-    EXPECT_TRUE(content(films + "name_00.png") == content(folder / "still.png"));
+    EXPECT_EQ(names_in(films), (NameSet{"name_00.png", "name_01.png"}));
+    EXPECT_TRUE(test::read_text(films + "name_00.png") == test::read_text(folder / "still.png"));
 }
 
 TEST_F(Film, ACheckerboardMixesAFrameWithTheOneBeforeTheLast)
@@ -215,8 +210,8 @@ void expect_nothing_left(const TemporaryFolder& folder, const std::string& films
     const std::string front = "raymarchctl: " + films + name + ": abandoned after ";
     EXPECT_EQ(process.errors().substr(0, front.size()), front);
     EXPECT_NE(process.errors().find(" of 100000 frames\n"), std::string::npos);
-    EXPECT_EQ(names_in(films), Names{"f.gif"});
-    EXPECT_EQ(content(films + "f.gif"), "older");
+    EXPECT_EQ(names_in(films), NameSet{"f.gif"});
+    EXPECT_EQ(test::read_text(films + "f.gif"), "older");
 }
 
 TEST_F(Film, AnAbandonedFilmLeavesNothing)
@@ -298,7 +293,7 @@ TEST_F(Film, WrongCommandLines)
     EXPECT_EQ(film("nosuch", ppm).status, EX_USAGE);
     EXPECT_EQ(film("marcher", ppm, {"--frames", "2", "--set", "ZM=11"}).status, EX_DATAERR);
     EXPECT_EQ(film("marcher", "no/such/folder.ppm", {"--frames", "2"}).status, EX_IOERR);
-    EXPECT_EQ(names_in(films), Names{});
+    EXPECT_EQ(names_in(films), NameSet{});
 }
 
 } // namespace

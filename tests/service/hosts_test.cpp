@@ -13,15 +13,13 @@ namespace raymarch::tests
 namespace
 {
 
-const std::string frame(original_frame);
-
 TEST(Hosts, FrameOverTheTerminalReachesTheRegisters)
 {
     const TemporaryFolder folder;
     const Service service(folder);
     Host host = Host::on_terminal(service.terminal());
     EXPECT_EQ(host.ask("SET OBJ=tunnel,ZM=1"), "OK seq=1 changed=2");
-    EXPECT_EQ(host.ask(frame + "\r"), "OK seq=2 changed=2");
+    EXPECT_EQ(host.ask(original_line + "\r"), "OK seq=2 changed=2");
     EXPECT_EQ(service.words(), original_words);
 }
 
@@ -30,7 +28,7 @@ TEST(Hosts, BytesMayComeOneByOne)
     const TemporaryFolder folder;
     const Service service(folder);
     Host host = Host::on_terminal(service.terminal());
-    for (const char c : frame + "\r\n")
+    for (const char c : original_line + "\r\n")
         host.send({&c, 1});
     EXPECT_EQ(host.reply(), "OK seq=1 changed=0");
 }
@@ -83,7 +81,7 @@ TEST(Hosts, RepliesThatOneHostLeftDoNotGreetTheNext)
     const TemporaryFolder folder;
     const Service service(folder);
     ASSERT_TRUE(service.ready());
-    Host::on_terminal(service.terminal()).send(frame + "\r\nGET\r\n");
+    Host::on_terminal(service.terminal()).send(original_line + "\r\nGET\r\n");
     ASSERT_TRUE(eventually([&] { return service.status("hang_ups") == "1"; }));
     EXPECT_EQ(service.status("applied"), "1") << "what was said before the hang-up counts";
     EXPECT_EQ(Host::on_terminal(service.terminal()).ask("PING"), "OK");

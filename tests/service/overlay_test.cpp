@@ -65,7 +65,7 @@ TEST(Logic, ThatIsNotConfiguredIsLeftAloneUntilItIs)
     EXPECT_TRUE(watch.opened());
     EXPECT_EQ(service.status("logic"), "operating");
     EXPECT_EQ(service.status("overlay"), "loaded");
-    EXPECT_EQ(host.ask(std::string(original_frame)).substr(0, 3), "OK ");
+    EXPECT_EQ(host.ask(original_line).substr(0, 3), "OK ");
     std::vector<std::uint32_t> words(8);
     const std::string bytes = test::read_text(device);
     std::memcpy(words.data(), bytes.data(), 32);

@@ -3,6 +3,7 @@
 
 #include "drivers/atomic_file.hpp"
 #include "drivers/serial_port.hpp"
+#include "tests/fakes/temporary_folder.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -29,13 +30,6 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 namespace fs = std::filesystem;
-
-std::string content(const std::string& path)
-{
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-}
 
 /// The command as it is started: through the emulator when the programs are not for this machine.
 std::vector<std::string> with_emulator(std::vector<std::string> command)
@@ -143,12 +137,12 @@ int Process::wait()
 
 std::string Process::errors() const
 {
-    return content(error_file_);
+    return test::read_text(error_file_);
 }
 
 std::string Process::output() const
 {
-    return content(error_file_ + ".out");
+    return test::read_text(error_file_ + ".out");
 }
 
 Finished run_tool(const TemporaryFolder& folder, std::vector<std::string> arguments,
@@ -229,7 +223,7 @@ std::string Service::status(std::string_view field) const
 
 std::vector<std::uint32_t> Service::words() const
 {
-    const std::string bytes = content(registers());
+    const std::string bytes = test::read_text(registers());
     std::vector<std::uint32_t> result(8);
     if (bytes.size() >= 32)
         std::memcpy(result.data(), bytes.data(), 32); // registers are in the machine's own order

@@ -128,7 +128,7 @@ class Host
 };
 
 /// The frame of the original user interface, and the words that it means.
-inline constexpr std::string_view original_frame =
+inline const std::string original_line =
     "FX=0.000,FY=0.000,FZ=1.000,RX=1.000,RY=0.000,RZ=0.000,UX=0.000,UY=1.000,UZ=0.000,ZM=3.00,"
     "LX=3.000,LY=2.000,LZ=5.000,R=1.000,G=1.000,B=1.000,OBJ=sphere";
 inline const std::vector<std::uint32_t> original_words = {

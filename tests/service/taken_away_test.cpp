@@ -3,6 +3,7 @@
 /// What others do to the service's files while it runs: what they remove or replace comes back, and
 /// what they put in its place stays.
 #include "service/support.hpp"
+#include "tests/fakes/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,12 +18,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-std::string content(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Whether a new host at the terminal's link reaches the service.
 bool terminal_answers(const Service& service)
@@ -105,8 +100,8 @@ TEST(TakenAway, WhatStandsInTheirPlaceStays)
         service.process.signal(SIGTERM);
         EXPECT_EQ(service.process.wait(), 0);
     }
-    EXPECT_EQ(content(folder / "control"), "precious");
-    EXPECT_EQ(content(folder / "tty"), "precious");
+    EXPECT_EQ(test::read_text(folder / "control"), "precious");
+    EXPECT_EQ(test::read_text(folder / "tty"), "precious");
 }
 
 /// When it goes away again, the place is the service's again.

@@ -16,7 +16,7 @@ namespace raymarch::engine::marcher
 namespace
 {
 
-constexpr int one = 1 << 24;
+constexpr int unit_length = 1 << 24;
 
 Frame default_frame()
 {
@@ -29,7 +29,7 @@ TEST(RayGenerator, TheMiddleLooksStraightAhead)
     const Point ray = ray_direction(default_frame(), {5, 3}, 2, 1);
     EXPECT_EQ(ray.x.raw(), 0);
     EXPECT_EQ(ray.y.raw(), 0);
-    EXPECT_NEAR(ray.z.raw(), -one, 1);
+    EXPECT_NEAR(ray.z.raw(), -unit_length, 1);
 }
 
 TEST(RayGenerator, DirectionsByHand)
@@ -37,12 +37,12 @@ TEST(RayGenerator, DirectionsByHand)
     // Of 3 x 3: u, v in -2, 0, 2 and f = 3; v counts upwards.
     const Point top = ray_direction(default_frame(), {3, 3}, 1, 0);
     EXPECT_EQ(top.x.raw(), 0);
-    EXPECT_NEAR(top.y.raw(), 2 / std::sqrt(13.0) * one, 2);
-    EXPECT_NEAR(top.z.raw(), -3 / std::sqrt(13.0) * one, 2);
+    EXPECT_NEAR(top.y.raw(), 2 / std::sqrt(13.0) * unit_length, 2);
+    EXPECT_NEAR(top.z.raw(), -3 / std::sqrt(13.0) * unit_length, 2);
     const Point corner = ray_direction(default_frame(), {3, 3}, 2, 2);
-    EXPECT_NEAR(corner.x.raw(), 2 / std::sqrt(17.0) * one, 2);
-    EXPECT_NEAR(corner.y.raw(), -2 / std::sqrt(17.0) * one, 2);
-    EXPECT_NEAR(corner.z.raw(), -3 / std::sqrt(17.0) * one, 2);
+    EXPECT_NEAR(corner.x.raw(), 2 / std::sqrt(17.0) * unit_length, 2);
+    EXPECT_NEAR(corner.y.raw(), -2 / std::sqrt(17.0) * unit_length, 2);
+    EXPECT_NEAR(corner.z.raw(), -3 / std::sqrt(17.0) * unit_length, 2);
 }
 
 TEST(RayGenerator, IsSymmetric)
@@ -74,7 +74,7 @@ TEST(RayGenerator, DirectionsHaveLengthOne)
     for (const std::uint16_t x : std::array<std::uint16_t, 5>{0, 1, 959, 960, 1919}) {
         for (const std::uint16_t y : std::array<std::uint16_t, 4>{0, 539, 540, 1079}) {
             const Point ray = ray_direction(frame, largest, x, y);
-            EXPECT_NEAR(length(ray).raw(), one, 4) << x << ',' << y;
+            EXPECT_NEAR(length(ray).raw(), unit_length, 4) << x << ',' << y;
         }
     }
 }

@@ -8,9 +8,9 @@ namespace raymarch::engine::marcher
 namespace
 {
 
-constexpr Coordinate one = ratio(1, 1);
+constexpr Coordinate unit = ratio(1, 1);
 constexpr Point ahead{Coordinate{}, Coordinate{}, ratio(-1, 1)};
-constexpr Point to_the_right{one, Coordinate{}, Coordinate{}};
+constexpr Point to_the_right{unit, Coordinate{}, Coordinate{}};
 constexpr Point from_three{Coordinate{}, Coordinate{}, ratio(3, 1)};
 
 TEST(RayMarcher, ASphereIsHitHeadOnAtTheSecondQuery)
@@ -20,16 +20,16 @@ TEST(RayMarcher, ASphereIsHitHeadOnAtTheSecondQuery)
     EXPECT_EQ(ray.queries, 2);
     EXPECT_EQ(ray.point.x.raw(), 0);
     EXPECT_EQ(ray.point.y.raw(), 0);
-    EXPECT_NEAR(ray.point.z.raw(), one.raw(), 2);
+    EXPECT_NEAR(ray.point.z.raw(), unit.raw(), 2);
 }
 
 TEST(RayMarcher, AwayFromASphereTheStepsDouble)
 {
     // t = 2, 6, 14, 30: beyond 20 after the fourth query.
-    const March ray = march(from_three, {Coordinate{}, Coordinate{}, one}, sphere);
+    const March ray = march(from_three, {Coordinate{}, Coordinate{}, unit}, sphere);
     EXPECT_FALSE(ray.hit);
     EXPECT_EQ(ray.queries, 4);
-    EXPECT_NEAR(ray.point.z.raw(), 17 * one.raw(), 20); // where the last query was made
+    EXPECT_NEAR(ray.point.z.raw(), 17 * unit.raw(), 20); // where the last query was made
 }
 
 TEST(RayMarcher, FromInsideTheFirstQueryHits)
@@ -103,7 +103,7 @@ TEST(Formats, ProductsAreFloored)
     EXPECT_EQ(multiply(raw_of(3), raw_of(1 << 23)).raw(), 1);   // 1.5
     EXPECT_EQ(multiply(raw_of(-3), raw_of(1 << 23)).raw(), -2); // -1.5
     EXPECT_EQ(multiply(raw_of(-1), raw_of(1)).raw(), -1);
-    EXPECT_EQ(multiply(one, raw_of(-12345)).raw(), -12345);
+    EXPECT_EQ(multiply(unit, raw_of(-12345)).raw(), -12345);
 }
 
 } // namespace

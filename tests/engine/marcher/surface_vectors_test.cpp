@@ -8,13 +8,13 @@ namespace raymarch::engine::marcher
 namespace
 {
 
-constexpr int one = 1 << 24;
+constexpr int scale = 1 << 24;
 
 void expect_near(const Point& p, double x, double y, double z, int tolerance)
 {
-    EXPECT_NEAR(p.x.raw(), x * one, tolerance);
-    EXPECT_NEAR(p.y.raw(), y * one, tolerance);
-    EXPECT_NEAR(p.z.raw(), z * one, tolerance);
+    EXPECT_NEAR(p.x.raw(), x * scale, tolerance);
+    EXPECT_NEAR(p.y.raw(), y * scale, tolerance);
+    EXPECT_NEAR(p.z.raw(), z * scale, tolerance);
 }
 
 constexpr Coordinate none{};
