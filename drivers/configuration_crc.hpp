@@ -23,21 +23,26 @@ constexpr std::uint32_t shifted(std::uint32_t value, int bits) noexcept
     return value;
 }
 
-/// words[n][byte] is the part of byte n of a word in the value after that word; words[0] is that of
-/// the low byte, which goes first and so through 32 bits.
-inline constexpr std::array<std::array<std::uint32_t, 256>, 4> words = [] {
+constexpr std::array<std::array<std::uint32_t, 256>, 4> make_words() noexcept
+{
     std::array<std::array<std::uint32_t, 256>, 4> made{};
     for (std::size_t n = 0; n < made.size(); ++n)
         for (std::uint32_t byte = 0; byte < 256; ++byte)
             made[n][byte] = shifted(byte, 32 - 8 * static_cast<int>(n));
     return made;
-}();
-inline constexpr std::array<std::uint32_t, 32> addresses = [] {
+}
+/// words[n][byte] is the part of byte n of a word in the value after that word; words[0] is that of
+/// the low byte, which goes first and so through 32 bits.
+inline constexpr auto words = make_words();
+
+constexpr std::array<std::uint32_t, 32> make_addresses() noexcept
+{
     std::array<std::uint32_t, 32> made{};
     for (std::uint32_t address = 0; address < 32; ++address)
         made[address] = shifted(address, 5);
     return made;
-}();
+}
+inline constexpr auto addresses = make_addresses();
 
 } // namespace configuration_crc
 

@@ -11,9 +11,13 @@ namespace raymarch::engine::marcher
 {
 
 template <std::size_t lanes>
-inline constexpr auto lane_orders = [] {
+using LaneOrders = std::array<std::array<std::uint8_t, lanes>, std::size_t{1} << lanes>;
+
+template <std::size_t lanes>
+constexpr LaneOrders<lanes> make_lane_orders() noexcept
+{
     static_assert(lanes <= 8);
-    std::array<std::array<std::uint8_t, lanes>, std::size_t{1} << lanes> rows{};
+    LaneOrders<lanes> rows{};
     for (std::size_t set = 0; set < rows.size(); ++set) {
         std::size_t at = 0;
         for (const bool wanted : {true, false})
@@ -22,6 +26,9 @@ inline constexpr auto lane_orders = [] {
                     rows[set][at++] = lane;
     }
     return rows;
-}();
+}
+
+template <std::size_t lanes>
+inline constexpr LaneOrders<lanes> lane_orders = make_lane_orders<lanes>();
 
 } // namespace raymarch::engine::marcher
