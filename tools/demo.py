@@ -74,6 +74,18 @@ OTHERS = (
 )
 
 
+NEXT = """
+Made in {out}/: four pictures of the marcher (sphere, cube, lattice, tunnel), one of each other
+accelerator, and sheet.png with all of them. The programs are {build}/raymarchd and
+{build}/raymarchctl.
+
+What to try next:
+    {build}/raymarchctl render --accelerator fractal --preset maze -o {out}/maze.png
+    {build}/raymarchctl film --preset lattice --size 320x240 --steps 4 --frames 90 -o {out}/lattice.gif
+    "Five minutes" in README.md starts the service and talks to it.
+    ./dev test runs every test."""
+
+
 class Service:
     """raymarchd with everything it touches below one folder."""
 
@@ -189,7 +201,10 @@ def main() -> int:
     finally:
         service.stop()
     service.preview.unlink(missing_ok=True)
-    return 0 if all(same) else 1
+    if not all(same):
+        return 1
+    print(NEXT.format(out=arguments.out, build=arguments.build))
+    return 0
 
 
 if __name__ == "__main__":
