@@ -50,7 +50,9 @@ class UnfinishedFile
 
     /// Appends. Errors: InputOutput.
     [[nodiscard]] Result<void> write(std::span<const std::uint8_t> bytes);
-    /// Gives the descriptor back where many files wait; nothing can be written after it.
+    /// Closes the descriptor, so that a caller can keep many unfinished files. Only finish() with
+    /// BestEffort may follow: nothing can be written or synced any more. Errors: InputOutput, when
+    /// the file system reports only now that a write failed.
     [[nodiscard]] Result<void> close();
     /// Puts the file in its place. Errors: InputOutput; what was there before stays.
     [[nodiscard]] Result<void> finish(Durability durability = Durability::BestEffort);

@@ -29,7 +29,7 @@ constexpr std::chrono::seconds longest_wait{30};
 Result<std::unique_ptr<drivers::BytePort>> open_port(const std::string& text)
 {
     std::error_code ignored;
-    if (std::filesystem::exists(text, ignored)) // also where an @ is a part of its name
+    if (std::filesystem::exists(text, ignored)) // an @ may be a part of its name
         return drivers::SerialPort::open(text, drivers::default_baud);
     const auto name = drivers::parse_tty_name(text);
     if (!name)
@@ -72,7 +72,7 @@ Result<Connection> Connection::open(const Endpoint& endpoint)
     if (const int number = connection.interrupted(); number != 0) {
         connection.port_.reset(); // puts the terminal's settings back
         connection.stop_.reset();
-        static_cast<void>(std::raise(number)); // there is nobody yet who would handle it
+        static_cast<void>(std::raise(number)); // no caller has a connection yet to ask for it
     }
     return fail(contact.error());
 }
@@ -94,7 +94,7 @@ Result<bool> Connection::wait(short events, std::chrono::milliseconds timeout)
     const int ready = ::poll(waiting.data(), waiting.size(), static_cast<int>(left.count()));
     if (interrupted() != 0)
         return fail(plain_error(ErrorKind::InputOutput, "interrupted"));
-    return ready > 0 || (ready < 0 && errno == EINTR); // a look in vain does no harm
+    return ready > 0 || (ready < 0 && errno == EINTR); // a read that finds nothing does no harm
 }
 
 Result<void> Connection::read_more()
@@ -123,7 +123,8 @@ Result<void> Connection::send(std::string_view bytes)
             return fail(ready.error());
         if (!*ready)
             return fail(plain_error(ErrorKind::InputOutput, "the service takes no bytes"));
-        // Room, replies that have to be read before there is any, or an end: a read tells which.
+        // The far end has room, or sends replies that have to be read first, or has closed the
+        // connection. A read tells which.
         if (const auto more = read_more(); !more)
             return fail(more.error());
     }
@@ -177,13 +178,20 @@ bool Connection::is_late(std::string_view asked, std::string_view reply) const
 {
     if (!has_right_mark(reply))
         return false;
-    if (!has_mark(asked)) // not answered with one; several lines in one may have marks, though
+    // The reply to a line without a mark has none. Only the last of several lines is looked at, and
+    // an earlier one may have a mark.
+    if (!has_mark(asked))
         return far_end_ != FarEnd::Unmarked && asked.find('\r') == std::string_view::npos;
     if (!word_.empty() && reply.find(word_) != std::string_view::npos)
         return true;
+    // A far end that was silent may still reply to the ACCELERATOR of the first contact. That reply
+    // has one word behind OK, where the reply to STATUS has more.
+    constexpr std::string_view question = "ACCELERATOR";
+    constexpr std::size_t ok_bytes = std::string_view("OK ").size();
     const bool names = accelerator_of(without_mark(reply)) != nullptr;
-    return far_end_ == FarEnd::Silent && names && reply.find(' ', 3) == std::string_view::npos &&
-           !protocol::equal_ignoring_case(asked.substr(0, 11), "ACCELERATOR");
+    return far_end_ == FarEnd::Silent && names &&
+           reply.find(' ', ok_bytes) == std::string_view::npos &&
+           !protocol::equal_ignoring_case(asked.substr(0, question.size()), question);
 }
 
 Result<std::vector<std::string>> Connection::collect(std::string_view line, std::size_t due,
@@ -200,7 +208,7 @@ Result<std::vector<std::string>> Connection::collect(std::string_view line, std:
             return fail(no_reply(line));
         std::string& reply = **came;
         if (!is_reply(reply) || is_late(line, reply) || (marked && !has_right_mark(reply))) {
-            if (reply != line) // which a far end that echoes sends back
+            if (reply != line) // a far end that echoes sends the line back
                 skipped_ = std::move(reply);
             continue;
         }
@@ -228,7 +236,7 @@ std::string Connection::request_line(std::string_view command) const
 Result<std::string> Connection::request(std::string_view command)
 {
     const std::string line = request_line(command);
-    if (far_end_ == FarEnd::OnlyErrors) // nothing would come, and it would take the time-out
+    if (far_end_ == FarEnd::OnlyErrors) // no reply would come before the time-out
         return fail(no_reply(line));
     if (auto sent = send(line + "\n"); !sent)
         return fail(sent.error());

@@ -135,11 +135,11 @@ class EditedLines final : public TypedLines
 
     static unsigned char on_tab(EditLine* editor, int /*key*/) { return of(editor).complete(); }
 
-    /// Whether bytes wait, or come in a moment.
-    [[nodiscard]] bool more_comes() const
+    /// Whether a byte can be read, now or within the pause.
+    [[nodiscard]] static bool byte_comes()
     {
         pollfd waiting = {.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
-        return !pending_.empty() || (::poll(&waiting, 1, pause_ms) > 0);
+        return ::poll(&waiting, 1, pause_ms) > 0;
     }
 
     /// Appends a byte to `pending_`; false at the end, and when the program is to stop.
@@ -174,8 +174,7 @@ class EditedLines final : public TypedLines
                 return 0;
             TypedCharacter typed = typed_character(pending_, false);
             if (typed.size == 0) {
-                pollfd waiting = {.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
-                if (::poll(&waiting, 1, pause_ms) > 0 && read_byte())
+                if (byte_comes() && read_byte())
                     continue;
                 if (stopped_)
                     return 0;
@@ -190,7 +189,7 @@ class EditedLines final : public TypedLines
     unsigned char complete()
     {
         EditLine* const editor = editor_.get();
-        if (more_comes()) { // pasted, and no request to complete
+        if (!pending_.empty() || byte_comes()) { // pasted, and no request to complete
             ::el_insertstr(editor, "\t");
             return CC_REFRESH;
         }

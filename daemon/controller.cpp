@@ -41,6 +41,12 @@ bool writes(const Request& request) noexcept
             !(request.command->bare == Effect::Reads && request.text.empty()));
 }
 
+/// Whether the board took the words; it may write them later.
+bool taken(Applied applied) noexcept
+{
+    return applied == Applied::Written || applied == Applied::Deferred;
+}
+
 } // namespace
 
 Controller::Controller(const Accelerator& accelerator, Policy policy, Board& board,
@@ -89,8 +95,7 @@ std::string_view Controller::settle(const Outcome& fault, bool writes, bool chec
 bool Controller::restore(const State& state)
 {
     hold(state, pack(*accelerator_, state));
-    const Applied applied = board_.apply(words_);
-    return applied == Applied::Written || applied == Applied::Deferred;
+    return taken(board_.apply(words_));
 }
 
 void Controller::board_is_back(const Accelerator& accelerator)
@@ -203,8 +208,7 @@ Controller::Outcome Controller::apply(const State& state, const Words& before)
     if (!orthonormal && policy_.basis_check == BasisCheck::Reject)
         return Fault{.code = ErrorCode::Basis};
     const Words words = pack(*accelerator_, state);
-    const Applied applied = board_.apply(words);
-    if (applied == Applied::Absent || applied == Applied::Failed)
+    if (!taken(board_.apply(words)))
         return Fault{.code = ErrorCode::Hardware};
 
     std::uint64_t changed = 0;
@@ -364,8 +368,7 @@ void Controller::orbit(Side side)
 bool Controller::put(const State& state)
 {
     const Words words = pack(*accelerator_, state);
-    const Applied applied = board_.apply(words);
-    if (applied == Applied::Absent || applied == Applied::Failed)
+    if (!taken(board_.apply(words)))
         return false; // as a line would be refused: the next step begins where this one did
     if (!(state == state_))
         storage_.changed(*accelerator_, state);

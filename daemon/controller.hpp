@@ -2,8 +2,9 @@
 /// @file
 /// Executes lines: frame or command → state → words → board, and the reply.
 ///
-/// The one place that holds the present state. It knows no descriptor and no clock: the board, the
-/// storage and the rest of the service stand behind the seams below, so that a test can play them.
+/// The controller alone holds the present state. It knows no descriptor and no clock: the board,
+/// the storage and the rest of the service are behind the interfaces below, so that a test can
+/// replace them.
 #pragma once
 
 #include "daemon/config.hpp"
@@ -25,12 +26,14 @@
 namespace raymarch::daemon
 {
 
-/// How the register block is.
+/// The condition of the register block.
 struct Health
 {
-    bool fault = true;    ///< it is absent, a word read back wrong, or it says so itself
-    bool running = false; ///< it draws, or has drawn since the last look; a plain block, which does
-                          ///< not tell: it is there and without fault
+    /// Whether the block is absent, a word of it read back wrong, or it reports a fault itself.
+    bool fault = true;
+    /// Whether the block draws, or has drawn since the last call of Board::health(). A plain block
+    /// does not tell that; it counts as running when it is there and has no fault.
+    bool running = false;
 };
 
 /// The register block, present or not.
@@ -38,11 +41,11 @@ class Board
 {
   public:
     virtual ~Board() = default;
-    /// To be called again and again: each call is a look.
+    /// Looks at the block. It is to be called regularly, as `running` goes by the last call.
     [[nodiscard]] virtual Health health() = 0;
     [[nodiscard]] virtual Applied apply(const protocol::Words& words) = 0;
     /// Makes another accelerator the one behind the registers; its words are to be applied next.
-    /// False, and nothing has changed, where the block is no emulated one.
+    /// Returns false, and changes nothing, where the block is no emulated one.
     [[nodiscard]] virtual bool use(const protocol::Accelerator& accelerator) = 0;
 };
 
@@ -53,18 +56,18 @@ class Storage
     using Accelerator = protocol::Accelerator;
     using State = protocol::State;
     virtual ~Storage() = default;
-    /// The state has changed; it is to be kept soon.
+    /// Tells that the state has changed. It is to be stored soon, as the one that last() returns.
     virtual void changed(const Accelerator& accelerator, const State& state) = 0;
-    /// Keeps it, and puts it aside for load(): that same state when the disk has it, or nothing
-    /// when that cannot be done.
+    /// Stores the state as the one that load() gives. The result is that same state when the disk
+    /// has it, or nothing when it cannot be stored.
     [[nodiscard]] virtual StoredState save(const Accelerator& accelerator, const State& state) = 0;
-    /// The state that was put aside last; nothing when there is none.
+    /// Gives the state that was saved last; nothing when there is none.
     [[nodiscard]] virtual StoredState load(const Accelerator& accelerator) = 0;
-    /// What was there last.
+    /// Returns the last state that the accelerator had, saved or not; nothing when none is known.
     [[nodiscard]] virtual std::optional<State> last(const Accelerator& accelerator) = 0;
 };
 
-/// What STATUS tells beyond the controller's own counts.
+/// The part of STATUS that the controller does not know itself.
 class StatusSource
 {
   public:
@@ -73,7 +76,7 @@ class StatusSource
     virtual void write_status(protocol::ReplyWriter& reply) = 0;
 };
 
-/// What a session lets the lines on it change.
+/// The settings of a session that its own lines can change.
 struct SessionSettings
 {
     bool echo = false;
@@ -96,29 +99,29 @@ class Controller
     /// is not empty afterwards, the reply comes from resume().
     [[nodiscard]] std::string_view execute(const protocol::Line& line, SessionSettings& session,
                                            Unfinished& rest, const TurnIsOver& turn_is_over);
-    /// Goes on with a line: its reply, or nothing while `rest` is still not empty. Precondition:
-    /// `rest` is not empty.
+    /// Goes on with a line. Returns its reply, or nothing while `rest` is still not empty.
+    /// Precondition: `rest` is not empty.
     [[nodiscard]] std::string_view resume(Unfinished& rest, const TurnIsOver& turn_is_over);
 
-    /// Makes `state` the present one without a line: at start, or from a button. False when the
-    /// board did not take it; the state is kept all the same, for a board that comes later.
+    /// Makes `state` the present one without a line: at start, or from a button. Returns false when
+    /// the board did not take it. The state is kept all the same, for a board that comes later.
     bool restore(const protocol::State& state);
-    /// The board has come (back), with this accelerator: writes the present words again, or, where
-    /// it is another accelerator than before, those that it had last.
+    /// Tells that the board is there, or there again, with this accelerator. Writes the present
+    /// words again. Where the accelerator is another one than before, writes its own last words.
     void board_is_back(const protocol::Accelerator& accelerator);
 
-    /// Called with the steps a second that ANIMATE asks for; 0: none.
+    /// `pace` is called with the steps a second that ANIMATE asks for; 0 means none.
     void on_animate(std::function<void(unsigned)> pace) { pace_ = std::move(pace); }
-    /// One step of the animation.
+    /// Makes one step of the animation.
     void animate();
 
-    // What the board's own buttons do. A lock keeps hosts out, not them. What the register block
-    // does not take is not done; the block itself reports it.
+    // The board's own buttons call these. A lock keeps out hosts, but no buttons. Nothing changes
+    // when the register block does not take the words; the block itself reports that.
     void to_defaults();
     void to_next_scene();
     void orbit(Side side);
 
-    /// A switch on the board: while locked, whatever writes is answered ERR LOCKED.
+    /// A switch on the board sets this. While locked, every line that writes gets ERR LOCKED.
     void set_locked(bool locked) noexcept { locked_ = locked; }
 
     void set_policy(const Policy& policy) noexcept { policy_ = policy; }
@@ -138,14 +141,15 @@ class Controller
     [[nodiscard]] Outcome run(const protocol::Request& request, SessionSettings& session,
                               Unfinished& rest, const TurnIsOver& turn_is_over);
     [[nodiscard]] Outcome go_on(Unfinished& rest, const TurnIsOver& turn_is_over);
-    /// The reply for an outcome, as far as the policy wants one.
+    /// Returns the reply for an outcome, or an empty one where the policy wants none.
     [[nodiscard]] std::string_view settle(const Outcome& fault, bool writes, bool checksummed);
     [[nodiscard]] Outcome apply(const protocol::State& state);
-    /// `before`: the words that `changed=` counts from.
+    /// `changed=` in the reply counts the words that differ from `before`.
     [[nodiscard]] Outcome apply(const protocol::State& state, const protocol::Words& before);
     /// Makes a state that the board has taken the present one.
     void hold(const protocol::State& state, const protocol::Words& words);
-    /// Without a line, and so without a reply and a number. False when the board does not take it.
+    /// Applies a state that no line asked for, so that there is no reply and no number. Returns
+    /// false when the board does not take it.
     bool put(const protocol::State& state);
     [[nodiscard]] Outcome assign(protocol::Text words);
     [[nodiscard]] Outcome get(protocol::Text words);
@@ -162,7 +166,7 @@ class Controller
     [[nodiscard]] Outcome group(protocol::Text words, std::string_view& name) const;
     void status();
     void ok();
-    /// What this accelerator had last, or its defaults.
+    /// Makes this accelerator the present one, with its last state, or its defaults without one.
     void recall(const protocol::Accelerator& accelerator);
 
     const protocol::Accelerator* accelerator_;
@@ -174,11 +178,11 @@ class Controller
 
     protocol::State state_;
     protocol::Words words_;
-    std::uint64_t changes_ = 0;         ///< counts what has made another state the present one
-    std::optional<std::size_t> preset_; ///< the one applied last, by its position
+    std::uint64_t changes_ = 0;         ///< counts how often the present state was replaced
+    std::optional<std::size_t> preset_; ///< the position of the preset that was applied last
     Movement movement_;
     std::function<void(unsigned)> pace_;
-    unsigned rate_ = 0; ///< of the animation, steps a second
+    unsigned rate_ = 0; ///< steps a second of the animation
     bool locked_ = false;
     bool last_refused_ = false;
     std::uint64_t applied_ = 0;

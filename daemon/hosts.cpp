@@ -7,6 +7,7 @@
 #include <sys/epoll.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string_view>
@@ -20,7 +21,8 @@ namespace
 
 constexpr std::size_t max_clients = 16;
 constexpr std::string_view too_many_clients = "there are 16 clients already";
-/// Who has said nothing for so long gives way when all places are taken.
+static_assert(max_clients == 16); // the text says it
+/// A client that has been silent for this long is removed for a new one when there are max_clients.
 constexpr std::chrono::seconds longest_silence{10};
 /// Clients that are turned away are logged at most this often.
 constexpr std::chrono::seconds turned_away_interval{30};
@@ -105,10 +107,14 @@ void Hosts::open_serial()
 void Hosts::watch_terminal()
 {
     watch_link_ = watch_place(std::get<PseudoTerminalLink>(config_.serial).link);
-    if (terminal_->visits_fd() >= 0)
+    std::optional<Error> problem =
+        plain_error(ErrorKind::Unavailable, "inotify does not watch the terminal");
+    if (terminal_->visits_fd() >= 0) {
         visits_ = loop_.add_io(terminal_->visits_fd(), EPOLLIN,
                                [this](std::uint32_t) { terminal_->look(); });
-    if (const auto problem = loop_.take_problem())
+        problem = loop_.take_problem();
+    }
+    if (problem)
         log::info("hosts that follow one another at once will not be told apart: {}",
                   problem->message);
 }
@@ -146,7 +152,8 @@ void Hosts::open_control()
     watch_control_ = watch_place(config_.control);
 }
 
-/// A client that waits on would wake the loop again and again.
+/// Stops watching the socket for a while, because a client that cannot be accepted keeps it
+/// readable and would wake the loop again and again.
 void Hosts::pause_accepting(const Error& problem)
 {
     log_once(accept_problem_, problem, "a client of the control socket cannot be served");
@@ -173,7 +180,7 @@ void Hosts::accept_client()
     }
     if (!std::exchange(accept_pauses_, false))
         return;
-    accept_problem_.clear(); // the next shortage is another one
+    accept_problem_.clear(); // a later shortage is to be logged again
     accept_back_off_.opened();
 }
 
@@ -184,9 +191,10 @@ void Hosts::forget(Endpoint& client)
     clients_.remove_if([&](const Endpoint& other) { return &other == &client; });
 }
 
-/// Whoever only holds a place gives it to one that comes: first a client that has gone with all its
-/// lines done, then the one that has been silent longest. One that waits for us is not silent, as
-/// long as it is there. False when there is none.
+/// Removes one client, so that a new one can be served. A client that has gone, and whose lines are
+/// all done, is removed first. Without one, the client that has been silent longest is removed, if
+/// that is longest_silence at least. A client that is connected and waits for the service does not
+/// count as silent. Returns false when no client can be removed.
 bool Hosts::make_room()
 {
     const auto left = std::ranges::find_if(
@@ -210,7 +218,7 @@ bool Hosts::make_room()
     return true;
 }
 
-/// Says why, once and without waiting for the client to read it.
+/// Sends the reason once, and does not wait for the client to read it.
 void Hosts::turn_away(drivers::BytePort& port)
 {
     if (config_.replies != Replies::None) {
@@ -228,7 +236,8 @@ void Hosts::turn_away(drivers::BytePort& port)
     log_turned_away_->arm(turned_away_interval);
 }
 
-/// However fast they come, the log has one line for all of them.
+/// Logs one line for all clients that were turned away since the last one, so that clients that
+/// come fast do not fill the log.
 void Hosts::count_turned_away()
 {
     full_was_logged_ = turned_away_ > 0;
@@ -240,8 +249,9 @@ void Hosts::count_turned_away()
 
 // --- what others do to the socket and the link ---
 
-/// Tells of changes in the folder, or of the folder itself. Only noted by the handler: an inotify
-/// source must not be destroyed by its own.
+/// Watches the folder of `path` for changes of the folder itself or of the entry with that name.
+/// The handler only arms a timer: what the timer does may destroy the source, which the source's
+/// own handler must not do.
 Source Hosts::watch_place(const std::string& path)
 {
     const std::filesystem::path place = std::filesystem::absolute(path);
@@ -255,7 +265,7 @@ Source Hosts::watch_place(const std::string& path)
         });
     if (const auto problem = loop_.take_problem())
         log::info("{}: it will not be noticed when it is removed: {}", path, problem->message);
-    look_->arm({}); // for what happened before the watch began
+    look_->arm({}); // something may have changed before the watch began
     return watch;
 }
 
@@ -265,7 +275,7 @@ void Hosts::look_at_places()
         log::warning("the control socket {} was removed or replaced; it will be made again",
                      config_.control);
         accept_.reset();
-        listener_.reset(); // clients that are connected stay
+        listener_.reset(); // connected clients stay connected
         control_back_off_.lost();
         retry_control_->arm(control_back_off_.next());
     }
@@ -282,7 +292,7 @@ void Hosts::look_at_places()
 void Hosts::mend_link()
 {
     if (terminal_ == nullptr)
-        return; // the next one comes with a link
+        return; // the next terminal makes its own link
     if (const auto restored = terminal_->restore_link(); !restored) {
         log_once(link_problem_, restored.error(), "no link to the pseudo-terminal");
         retry_link_->arm(link_back_off_.next());

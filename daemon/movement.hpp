@@ -3,20 +3,17 @@
 /// WALK, TURN and ANIMATE: words to inputs, inputs to the movement of the active accelerator.
 #pragma once
 
+#include "daemon/turn_is_over.hpp"
 #include "motion/mover.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/text.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <tl/expected.hpp>
 
 namespace raymarch::daemon
 {
-
-/// Work that takes long calls this between two pieces, and stops when it returns true.
-using TurnIsOver = std::function<bool()>;
 
 /// What WALK or TURN asks for.
 struct Steps

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Whose turn it is on the event loop: hosts that have something to do get it in short turns, so
-/// that none of them holds up the others.
+/// Decides which host works next on the event loop. Hosts that have work get short turns, so that
+/// no host delays the others for long.
 ///
-/// The serial port goes first, in every other turn at most. Among the others the host goes first
-/// that has used the least time: one that asks little waits for one turn of another host, however
-/// many others there are and whatever they ask for.
+/// The serial port goes before the other hosts, but gets every other turn at most. Among the other
+/// hosts, the one that has used the least processor time goes first. So a host that asks for little
+/// waits for about one turn of another host, however many there are and whatever they ask for.
 #pragma once
 
 #include "daemon/event_loop.hpp"
-#include "daemon/movement.hpp"
+#include "daemon/turn_is_over.hpp"
 
 #include <array>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -23,18 +25,18 @@ enum class Rank : std::uint8_t { First, Equal };
 
 class Turns;
 
-/// One host's place among the turns.
+/// One host, as Turns knows it.
 class Turn
 {
   public:
-    /// `take` does what there is to do until it is told that the turn is over, and says whether
-    /// there is more; it may destroy this place.
+    /// `take` works until it is told that the turn is over, and returns whether there is more to
+    /// do. It may destroy this Turn.
     Turn(Turns& turns, Rank rank, std::function<bool(const TurnIsOver&)> take);
     Turn(const Turn&) = delete;
     Turn& operator=(const Turn&) = delete;
     ~Turn();
 
-    /// There is something to do.
+    /// Tells that this host has something to do.
     void ready();
 
   private:
@@ -42,8 +44,8 @@ class Turn
     Turns& turns_;
     const Rank rank_;
     const std::function<bool(const TurnIsOver&)> take_;
-    std::chrono::nanoseconds used_{}; ///< in its turns; after a pause, what the others have used
-    bool waits_ = false;              ///< stands in turns_.waiting_
+    std::chrono::nanoseconds used_{}; ///< in its turns; after a pause, turns_.used_ at least
+    bool waits_ = false;              ///< it is in turns_.waiting_
 };
 
 class Turns
@@ -68,10 +70,10 @@ class Turns
     std::vector<Turn*> waiting_;
     Turn* running_ = nullptr;         ///< null also when it has been destroyed in its turn
     const Turn* last_ = nullptr;      ///< compared, never followed
-    std::chrono::nanoseconds used_{}; ///< where a host that was silent starts: the most that an
-                                      ///< equal host had used when its turn began
+    std::chrono::nanoseconds used_{}; ///< a host that was silent starts with this: the most that
+                                      ///< an equal host had used when its turn began
     bool soon_ = false;
-    /// Two, used alternately: a source must not be replaced while its own handler runs.
+    /// Two are used in turn, because a source must not be replaced while its own handler runs.
     std::array<Source, 2> calls_;
     std::size_t call_ = 0;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A line that takes longer than one turn of its host: a disk works on it, or it has many steps.
+/// A line that takes longer than one turn of its host, because a disk works on it or because it is
+/// a movement of many steps.
 #pragma once
 
 #include "daemon/movement.hpp"
@@ -18,10 +19,10 @@
 namespace raymarch::daemon
 {
 
-/// A state that a disk is asked for or given. It is there when the disk is done.
+/// A state that is being read from a disk or written to it. It is ready when the disk is done.
 using StoredState = std::future<std::optional<protocol::State>>;
 
-/// One that is there at once.
+/// Makes a StoredState that is ready at once.
 [[nodiscard]] inline StoredState stored_already(std::optional<protocol::State> state)
 {
     std::promise<std::optional<protocol::State>> promise;
@@ -29,8 +30,9 @@ using StoredState = std::future<std::optional<protocol::State>>;
     return promise.get_future();
 }
 
-/// The part of a line that is still to be executed: a disk works on it, or a movement was left for
-/// other hosts' turns. The host's next line waits for it.
+/// The part of a line that has not been executed yet. Either a disk still works on it, or it is a
+/// movement whose remaining steps are made in later turns of its host. The next line of that host
+/// waits until this one is finished.
 class Unfinished
 {
   public:
@@ -50,14 +52,14 @@ class Unfinished
   private:
     friend class Controller;
 
-    /// SAVE or LOAD.
+    /// A SAVE or a LOAD.
     struct Stored
     {
         protocol::CommandId command;
         const protocol::Accelerator* accelerator;
         StoredState state;
     };
-    /// WALK or TURN.
+    /// A WALK or a TURN.
     struct Moving
     {
         const protocol::Accelerator* accelerator;
@@ -65,8 +67,8 @@ class Unfinished
         Steps left;             ///< of `asked`, not made yet
         std::uint64_t change;   ///< the controller's count of changes when `state` was taken
         bool disturbed = false; ///< others have changed the state since the line came
-        protocol::State state;  ///< after the steps that were made
-        protocol::Words before; ///< when the line came
+        protocol::State state;  ///< the state after the steps that were made
+        protocol::Words before; ///< the words when the line came
         Movement movement;
     };
     std::variant<std::monostate, Stored, Moving> what_;

@@ -20,11 +20,11 @@ constexpr std::uint32_t sync_word = 0xAA99'5566;
 constexpr std::uint32_t sync_word_swapped = 0x6655'99AA;
 constexpr std::uint32_t revision_mask = 0xF000'0000;
 
-/// What opens a `.bit`: a field of 9 bytes, and the 16-bit number 1 before the lettered fields.
+/// A `.bit` begins with a field of 9 bytes, and the 16-bit number 1 before the lettered fields.
 constexpr std::array<std::uint8_t, 13> bit_magic = {0x00, 0x09, 0x0F, 0xF0, 0x0F, 0xF0, 0x0F,
                                                     0xF0, 0x0F, 0xF0, 0x00, 0x00, 0x01};
 
-/// Registers of the configuration logic, and the commands of one of them.
+/// These are registers of the configuration logic, and commands of the command register.
 constexpr std::uint32_t crc_register = 0;
 constexpr std::uint32_t frame_data_register = 2;
 constexpr std::uint32_t command_register = 4;
@@ -35,8 +35,8 @@ constexpr std::uint32_t reset_crc_command = 7;
 constexpr std::uint32_t desync_command = 13;
 constexpr std::uint32_t command_count = 32;
 
-/// What stands in place of a check sequence where a tool was told to compute none; others reset the
-/// sequence instead.
+/// Some tools write this in place of a check sequence when they are told to compute none. Others
+/// reset the sequence instead.
 constexpr std::uint32_t no_crc = 0x0000'DEFC;
 constexpr std::uint32_t no_operation = 0x2000'0000;
 
@@ -45,7 +45,7 @@ Error bad(const std::string& name, std::string_view what)
     return plain_error(ErrorKind::BadData, fmt::format("{}: {}", name, what));
 }
 
-/// A big-endian number of `count` bytes; precondition: they are there.
+/// Reads a big-endian number of `count` bytes. Precondition: they are there.
 std::uint32_t number(Bytes bytes, std::size_t at, std::size_t count)
 {
     std::uint32_t value = 0;
@@ -78,7 +78,7 @@ class Words
     BitstreamForm form_;
 };
 
-/// The header of a `.bit`, up to its data.
+/// Reads the header of a `.bit`, up to its data.
 Result<void> read_header(Bytes bytes, const std::string& name, Bitstream& bitstream)
 {
     struct Field
@@ -111,8 +111,8 @@ Result<void> read_header(Bytes bytes, const std::string& name, Bitstream& bitstr
     return {};
 }
 
-/// Does what the configuration logic does with the words from the sync word to the command that
-/// ends the configuration, as far as it tells whether they are right.
+/// Follows the words from the sync word to the command that ends the configuration. It does what
+/// the configuration logic does with them, as far as that tells whether they are right.
 class Configuration
 {
   public:
@@ -124,7 +124,7 @@ class Configuration
 
     Result<void> run(std::size_t at)
     {
-        std::optional<std::uint32_t> target; // of the packet just before
+        std::optional<std::uint32_t> target; // the register of the packet just before
         while (at < words_.size()) {
             const std::size_t start = at++;
             const std::uint32_t header = words_[start];
@@ -164,9 +164,9 @@ class Configuration
         return word == no_operation || word == 0 || word == 0xFFFF'FFFF;
     }
 
-    /// How many words follow the header of a write; nothing when it is none. A packet of type 1
-    /// names the register, `target`, and one of type 2, which is longer, follows it at once. Only
-    /// frames take more than one word.
+    /// Returns how many words follow the header of a write, and nothing for another header. A
+    /// packet of type 1 names the register, `target`. A packet of type 2 can be longer; it follows
+    /// one of type 1 at once. Only the registers for frames take more than one word.
     static std::optional<std::size_t> word_count(std::uint32_t header,
                                                  std::optional<std::uint32_t>& target)
     {
@@ -223,7 +223,7 @@ class Configuration
         return {};
     }
 
-    /// What has been written since the last start has been compared, or not.
+    /// Starts the check sequence anew. `compared` says whether it was compared before.
     void start_check(bool compared)
     {
         frames_unchecked_ = frames_unchecked_ || (frames_pending_ && !compared);
@@ -257,9 +257,10 @@ class Configuration
     {
         if (!idcode_)
             return refuse("it names no device (IDCODE); encrypted bitstreams are not taken");
-        if (any_check_ && last_write_) // a check sequence whose own packet is damaged
+        if (any_check_ && last_write_) // the packet of the last check sequence is damaged
             return damaged(words_[*last_write_], *last_write_, "stands under no check sequence");
-        for (std::size_t at = behind; at < words_.size(); ++at) // or the end came too early
+        // A damaged word may look like the command that ends the configuration.
+        for (std::size_t at = behind; at < words_.size(); ++at)
             if (!is_idle(words_[at]))
                 return damaged(words_[at], at, "follows the command that ends the configuration");
         bitstream_.idcode = *idcode_;
@@ -273,13 +274,14 @@ class Configuration
     ConfigurationCrc crc_;
     std::optional<std::uint32_t> idcode_;
     std::optional<std::size_t> last_write_; ///< since the check sequence last started
-    bool frames_pending_ = false;           ///< of frame data, the same
+    bool frames_pending_ = false;           ///< frame data has been written since then
     bool frames_unchecked_ = false;
     bool any_check_ = false;
     bool ended_ = false;
 };
 
-/// Up to the command that ends the configuration.
+/// Finds the sync word, and reads from there to the command that ends the configuration.
+/// Errors: BadData.
 Result<void> read_words(const Words& words, const std::string& name, Bitstream& bitstream)
 {
     const auto sync = words.find(sync_word);
@@ -299,8 +301,8 @@ char lower(char c)
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// A part as Vivado's header has it: in small letters, without `xc` and without the speed grade and
-/// the range of temperatures (`-1`, `-2`, `-1LI`). Other text stays as it is.
+/// Returns a part as Vivado's header has it: in small letters, without `xc`, and without the speed
+/// grade and the range of temperatures (`-1`, `-2`, `-1LI`). Other text stays as it is.
 std::string plain_part(std::string_view text)
 {
     std::string part(text);

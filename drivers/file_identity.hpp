@@ -27,16 +27,8 @@ struct FileIdentity
     return FileIdentity{info.st_dev, info.st_ino};
 }
 
-/// The file that has a name now; a symbolic link is followed.
-[[nodiscard]] inline std::optional<FileIdentity> identity_at(const std::string& path) noexcept
-{
-    struct stat info = {};
-    if (::stat(path.c_str(), &info) != 0)
-        return std::nullopt;
-    return FileIdentity{info.st_dev, info.st_ino};
-}
-
-/// The same of a symbolic link itself.
+/// The file that has a name now, where a symbolic link counts as itself; nothing when there is
+/// none.
 [[nodiscard]] inline std::optional<FileIdentity> identity_of_link(const std::string& path) noexcept
 {
     struct stat info = {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "drivers/lock_file.hpp"
 
+#include "base/file_target.hpp"
 #include "drivers/file_identity.hpp"
 
 #include <fcntl.h>
@@ -11,6 +12,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 
 namespace raymarch::drivers
@@ -20,51 +22,50 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// flock() does not tell who holds a lock, and locks of fcntl() that do are lost too easily: with
-/// any descriptor of the file that the process closes. So flock() keeps others out, and a lock of
-/// fcntl() beside it serves only as the holder's name tag.
-struct flock name_tag(short type) noexcept
+/// A lock of flock() does not tell which process holds it. A lock of fcntl() does, but the kernel
+/// drops it when the process closes any descriptor of the file. So flock() keeps other processes
+/// out, and a lock of fcntl() beside it only tells them who the holder is.
+struct flock holder_lock(short type) noexcept
 {
-    struct flock tag = {};
-    tag.l_type = type;
-    tag.l_whence = SEEK_SET;
-    tag.l_len = 1;
-    return tag;
+    struct flock lock = {};
+    lock.l_type = type;
+    lock.l_whence = SEEK_SET;
+    lock.l_len = 1;
+    return lock;
 }
 
-void hang_out_name_tag(int fd) noexcept
+void publish_holder(int fd) noexcept
 {
-    struct flock tag = name_tag(F_RDLCK); // for reading: the descriptor may be open for no more
-    static_cast<void>(::fcntl(fd, F_SETLK, &tag));
+    struct flock lock = holder_lock(F_RDLCK); // the descriptor may be open for reading only
+    static_cast<void>(::fcntl(fd, F_SETLK, &lock));
 }
 
-/// "process 12 (raymarchd)"; without the name where /proc hides it, "another process" where the
-/// kernel does not tell at all, as of a process in another container.
+/// Returns "process 12 (raymarchd)". The name is missing where /proc hides it. The result is
+/// "another process" where the kernel gives no number, as for a process in another container.
 std::string holder_of(int fd)
 {
-    struct flock tag = name_tag(F_WRLCK);
-    if (::fcntl(fd, F_GETLK, &tag) != 0 || tag.l_type == F_UNLCK || tag.l_pid <= 0)
+    struct flock lock = holder_lock(F_WRLCK);
+    if (::fcntl(fd, F_GETLK, &lock) != 0 || lock.l_type == F_UNLCK || lock.l_pid <= 0)
         return "another process";
-    const std::string number = std::to_string(tag.l_pid);
+    const std::string number = std::to_string(lock.l_pid);
     std::string name;
     std::ifstream("/proc/" + number + "/comm") >> name;
     return "process " + number + (name.empty() ? "" : " (" + name + ")");
 }
 
-/// Where a file of that name is, or will be: also behind a link whose target is not there yet.
-fs::path real_place(fs::path path)
+/// Returns the place where a file of that name is or will be. weakly_canonical() alone would not
+/// follow a link whose target does not exist yet.
+std::string real_place(const std::string& path)
 {
-    constexpr int most_links = 40; // as the kernel
+    const std::string end = end_of_links(path);
     std::error_code error;
-    for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(path, error)); ++i)
-        path = path.parent_path() / fs::read_symlink(path, error);
-    fs::path real = fs::weakly_canonical(path, error);
-    return error ? path : real;
+    const fs::path real = fs::weakly_canonical(end, error);
+    return error ? end : real.string();
 }
 
 Result<UniqueFd> open_lock_file(const std::string& path)
 {
-    // Reading is enough for the lock, also where the file belongs to another user.
+    // Reading is enough for the lock, and is allowed where the file belongs to another user.
     UniqueFd fd(
         ::open(path.c_str(), O_RDONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0644));
     if (!fd)
@@ -87,7 +88,7 @@ bool held_by_another(const Error& error) noexcept
 Result<void> lock_descriptor(int fd, const std::string& name)
 {
     if (::flock(fd, LOCK_EX | LOCK_NB) == 0) {
-        hang_out_name_tag(fd);
+        publish_holder(fd);
         return {};
     }
     if (errno != EWOULDBLOCK)
@@ -104,7 +105,8 @@ Result<LockFile> LockFile::take(const std::string& path)
             return fail(fd.error());
         if (auto locked = lock_descriptor(fd->get(), path); !locked)
             return fail(locked.error());
-        // The last holder may have removed it between our open and our lock: then it is nobody's.
+        // The last holder may have removed the file before we locked it. Another process would then
+        // make and lock a new one, so the lock of the old one is worth nothing.
         if (identity_of(fd->get()) == identity_of_link(path))
             return LockFile(std::move(*fd), path);
     }
@@ -112,7 +114,7 @@ Result<LockFile> LockFile::take(const std::string& path)
 
 Result<LockFile> LockFile::beside(const std::string& path)
 {
-    const std::string file = real_place(path).string();
+    const std::string file = real_place(path);
     std::error_code error;
     const fs::file_status there = fs::status(file, error);
     if (fs::exists(there) && !fs::is_regular_file(there))
@@ -138,8 +140,8 @@ LockFile::~LockFile()
     release();
 }
 
-/// Removed while it is still locked: who has the old file open by now sees that it has no name. One
-/// that holds something is the user's and stays.
+/// Removes the file while it is still locked, so that a process that has opened it meanwhile sees
+/// that it has no name any more. A file that is not empty belongs to the user and stays.
 void LockFile::release() noexcept
 {
     struct stat info = {};

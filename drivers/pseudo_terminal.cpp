@@ -17,6 +17,7 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
@@ -182,9 +183,9 @@ bool PseudoTerminal::nobody_has_it_open() const noexcept
     return ::poll(&end, 1, 0) > 0 && (end.revents & POLLHUP) != 0;
 }
 
-/// What a host leaves in the terminal would be the next one's: settings, output that it stopped,
-/// replies that it did not read, the right to be alone. False when that right keeps the service
-/// out, too, and so everybody for good.
+/// Removes what the last host left in the terminal, which the next host would find: its settings,
+/// output that it stopped, replies that it did not read, exclusive mode. Returns false when
+/// exclusive mode keeps out the service as well, and thus every host for good.
 bool PseudoTerminal::put_in_order() noexcept
 {
     const bool alone = nobody_has_it_open();

@@ -26,7 +26,7 @@ class SocketPort final : public BytePort
 {
   public:
     explicit SocketPort(UniqueFd fd) noexcept : fd_(std::move(fd)) {}
-    /// Connects to a listening socket. Errors: Unavailable.
+    /// Connects to a listening socket. Errors: Usage (the path is too long), Unavailable.
     [[nodiscard]] static Result<std::unique_ptr<SocketPort>> connect(const std::string& path);
 
     [[nodiscard]] int fd() const noexcept override { return fd_.get(); }
@@ -42,8 +42,8 @@ class SocketPort final : public BytePort
 class SocketListener
 {
   public:
-    /// Replaces a socket that nobody listens to any more. Errors: Unavailable (another process
-    /// listens there, or something else has that name), InputOutput.
+    /// Replaces a socket that nobody listens to any more. Errors: Usage (the path is too long),
+    /// Unavailable (another process listens there, or something else has that name), InputOutput.
     [[nodiscard]] static Result<SocketListener> open(const std::string& path);
     SocketListener(SocketListener&&) noexcept = default;
     SocketListener& operator=(SocketListener&&) = delete; // opened once, closed once

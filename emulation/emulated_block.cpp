@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace raymarch::emulation
 {
@@ -50,12 +51,6 @@ EmulatedBlock::EmulatedBlock(const engine::Model& model, const EmulatedOptions& 
     , size_(options.size)
     , worker_([this](const std::stop_token& stop) { work(stop); })
 {}
-
-EmulatedBlock::~EmulatedBlock()
-{
-    worker_.request_stop();
-    wake_.notify_all();
-}
 
 void EmulatedBlock::become(const engine::Model& model, engine::PictureSize size)
 {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The register block without a board: the extended registers live, and a worker that draws what
-/// the words say with the engine's model.
+/// The register block without a board. The extended registers work as in hardware, and a worker
+/// draws what the words say with the engine's model.
 #pragma once
 
+#include "base/result.hpp"
 #include "base/unique_fd.hpp"
 #include "drivers/ports.hpp"
 #include "engine/draw.hpp"
@@ -23,7 +24,7 @@
 namespace raymarch::emulation
 {
 
-/// How the block presents itself.
+/// The registers that the block has.
 enum class BlockForm : std::uint8_t {
     Extended, ///< ID, CONTROL, COMMIT … as in docs/registers.md
     Bare,     ///< the parameter words only, as in the source: everything else reads 0
@@ -34,32 +35,33 @@ struct EmulatedOptions
     BlockForm form = BlockForm::Extended;
     engine::PictureSize size{};
     unsigned threads = 1; ///< of the drawing; 0: one for each processor
-    /// A frame that would take longer is drawn coarse first, and given up when newer words wait.
+    /// A frame that would take longer is drawn coarsely first, and ended early for newer words.
     std::optional<std::chrono::milliseconds> patience{};
 };
 
-/// Called from the worker after each frame, and with what there is of a slow one.
+/// The worker calls this after each frame, and with each unfinished picture of a slow frame.
 using FrameSink = std::function<void(const engine::Image&)>;
 
 /// Behaves as the hardware does, with one saving: when words have been latched, as many frames are
 /// drawn as the picture takes to be complete, and no more. They go into two buffers in turn.
 /// FRAMES, STATUS and the interrupt count the frames that were drawn to their end.
-/// Registers may be used from one thread; the worker is the block's own.
+/// One thread may use the registers; the worker is another one, which the block starts itself.
 class EmulatedBlock final : public drivers::RegisterBus
 {
   public:
     /// Errors: Unavailable (no eventfd).
     [[nodiscard]] static Result<std::unique_ptr<EmulatedBlock>>
     open(const engine::Model& model, const EmulatedOptions& options, FrameSink sink);
-    /// Waits until the drawing thread has seen that it is to end, which takes part of a frame.
-    ~EmulatedBlock() override;
+    /// Waits until the worker has seen that it is to end, which takes part of a frame.
+    ~EmulatedBlock() override = default;
 
-    /// Becomes another accelerator's block, as after power-on, at once: the frame that is being
-    /// drawn is given up, and the drawing thread begins with the next one when it has seen that.
+    /// Becomes the block of another accelerator at once, as after power-on. The frame that is being
+    /// drawn is given up, and the worker begins with the next one when it has seen that.
     void become(const engine::Model& model, engine::PictureSize size);
 
-    /// Ends the drawing, for a process that is about to end itself. Waits for what the sink has
-    /// been given, and so long for the rest; false when something is still being drawn then.
+    /// Ends the drawing, for a process that is about to exit. Waits at most `patience` for the
+    /// worker to end, and then as long as it takes for a call of the sink that has begun. Returns
+    /// false when the worker has not ended by then.
     [[nodiscard]] bool end_drawing(std::chrono::milliseconds patience);
 
     [[nodiscard]] std::uint32_t read(drivers::RegOffset at) noexcept override;
@@ -94,7 +96,7 @@ class EmulatedBlock final : public drivers::RegisterBus
     std::condition_variable_any wake_;
     const engine::Model* model_;
     engine::PictureSize size_;
-    unsigned lives_ = 1;      ///< how many accelerators it has been
+    unsigned lives_ = 1;      ///< how many accelerators the block has been
     bool showing_ = false;    ///< the sink has been called and has not returned
     bool ended_ = false;      ///< the worker has returned
     protocol::Words words_{}; ///< as written; in shadow mode not yet seen by the ray units
@@ -110,7 +112,7 @@ class EmulatedBlock final : public drivers::RegisterBus
     std::uint32_t cycles_ = 0;
     std::uint32_t scratch_ = 0;
 
-    std::vector<engine::PixelCost> costs_; ///< the worker's
+    std::vector<engine::PixelCost> costs_; ///< only the worker uses them
     std::jthread worker_;                  ///< last: it uses all of the above
 };
 

@@ -9,8 +9,9 @@ namespace raymarch::protocol
 namespace
 {
 
-/// The position of the first CR or LF, or the size. Looks no further than the ending of the longest
-/// line can stand, so that a chunk of many lines is not searched again for each of them.
+/// Returns the position of the first CR or LF, or how many bytes were searched when there is none.
+/// Searches only as far as the ending of the longest line can be. Without that limit, each line of
+/// a chunk whose lines end in CR would search the whole rest of the chunk for an LF.
 std::size_t find_ending(std::string_view bytes) noexcept
 {
     bytes = bytes.substr(0, max_line_length + 1);

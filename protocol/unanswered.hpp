@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The lines that have no reply: blank ones, and those that look like replies themselves.
+/// Tells which lines have no reply: blank ones, and those that look like replies themselves.
 ///
 /// A far end that echoes (a login, a loop-back plug, a terminal in its usual settings) sends every
 /// reply back. If the service answered it, both would talk for ever.
@@ -15,11 +15,11 @@
 namespace raymarch::protocol
 {
 
-/// Every line of a reply begins with one of these; no command and no frame does.
+/// Every line of a reply begins with one of these. No command and no frame begins with one.
 inline constexpr std::array<std::string_view, 3> reply_beginnings = {"OK", "ERR", "#"};
 
-/// Whether a line, without its ending, is a line of a reply. Blanks before it do not count;
-/// capitals do.
+/// Whether a line, without its ending, is a line of a reply. Blanks before it are skipped. Small
+/// letters do not match.
 [[nodiscard]] constexpr bool looks_like_reply(std::string_view line) noexcept
 {
     while (!line.empty() && is_blank(line.front()))
