@@ -42,6 +42,7 @@ constexpr std::array<std::uint32_t, 32> make_addresses() noexcept
         made[address] = shifted(address, 5);
     return made;
 }
+/// addresses[bits] is what the low 5 bits of the value add after their XOR with an address.
 inline constexpr auto addresses = make_addresses();
 
 } // namespace configuration_crc
