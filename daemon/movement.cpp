@@ -14,7 +14,6 @@ namespace
 {
 
 using motion::Input;
-using protocol::ErrorCode;
 using protocol::Fault;
 
 constexpr unsigned most_steps = 1000;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engines/float_simd.hpp"
 
+#include "engine/kernel_targets.hpp"
 #include "engine/marcher/fast/lane_orders.hpp"
 #include "engine/marcher/fast/outline.hpp"
 #include "engine/marcher/frame.hpp"
@@ -10,14 +11,13 @@
 #include <bit>
 #include <cstring>
 
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engines/float_simd.cpp"
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>
 
-#if HWY_TARGET != HWY_SCALAR
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 
 #include "engine/marcher/fast/lanes-inl.hpp"
 

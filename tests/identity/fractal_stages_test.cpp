@@ -6,6 +6,7 @@
 #include "engine/fractal/scenes.hpp"
 #include "engine/fractal/shading.hpp"
 #include "engine/isa.hpp"
+#include "engine/kernel_targets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +15,6 @@
 #include <cstdint>
 #include <random>
 
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/identity/fractal_stages_test.cpp"
 #include <hwy/foreach_target.h>

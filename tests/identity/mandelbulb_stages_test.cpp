@@ -2,6 +2,7 @@
 // The stages of the Mandelbulb's kernels against those of the reference, in every instruction set;
 // and the filter's bounds against the errors that they bound.
 #include "engine/draw.hpp"
+#include "engine/kernel_targets.hpp"
 #include "engine/mandelbulb/distance.hpp"
 #include "engine/mandelbulb/fast/bounds.hpp"
 #include "engine/mandelbulb/ray_generator.hpp"
@@ -15,8 +16,6 @@
 #include <cstring>
 #include <random>
 
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/identity/mandelbulb_stages_test.cpp"
 #include <hwy/foreach_target.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "marcher_stages.hpp"
 
+#include "engine/kernel_targets.hpp"
 #include "engine/marcher/fast/lane_orders.hpp"
 #include "engine/marcher/inverse_sqrt.hpp"
 #include "engine/marcher/inverse_sqrt_table.hpp"
@@ -15,14 +16,13 @@
 #include <type_traits>
 #include <vector>
 
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/identity/marcher_stages_test.cpp"
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>
 
-#if HWY_TARGET != HWY_SCALAR
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 
 #include "engine/marcher/fast/lanes-inl.hpp"
 

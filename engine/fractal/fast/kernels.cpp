@@ -9,10 +9,8 @@
 #include "engine/fractal/ray_generator.hpp"
 #include "engine/fractal/ray_marcher.hpp"
 #include "engine/fractal/shading.hpp"
+#include "engine/kernel_targets.hpp"
 
-// No Isa names it.
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/fractal/fast/kernels.cpp"
 #include <hwy/foreach_target.h>

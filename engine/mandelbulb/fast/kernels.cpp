@@ -3,14 +3,12 @@
 // once for each instruction set.
 #include "engine/mandelbulb/fast/kernels.hpp"
 
+#include "engine/kernel_targets.hpp"
 #include "engine/mandelbulb/colouring.hpp"
 #include "engine/mandelbulb/mandelbulb.hpp"
 #include "engine/mandelbulb/ray_generator.hpp"
 #include "engine/mandelbulb/ray_marcher.hpp"
 
-// No Isa names it.
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/mandelbulb/fast/kernels.cpp"
 #include <hwy/foreach_target.h>

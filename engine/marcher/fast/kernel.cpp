@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/marcher/fast/kernel.hpp"
 
+#include "engine/kernel_targets.hpp"
 #include "engine/marcher/fast/lane_orders.hpp"
 #include "engine/marcher/fast/outline.hpp"
 #include "engine/marcher/frame.hpp"
@@ -16,14 +17,13 @@
 #include <cstring>
 #include <type_traits>
 
-#define HWY_DISABLED_TARGETS HWY_SSSE3 // no model has a row for it
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/marcher/fast/kernel.cpp"
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>
 
-#if HWY_TARGET != HWY_SCALAR // Highway's own, compiled where nothing else is certain to run
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 // the plain C++, which is not used
 
 #include "engine/marcher/fast/lanes-inl.hpp"
 

@@ -3,6 +3,7 @@
 // them. Highway compiles this file once for each instruction set.
 #include "engine/sphere/fast/kernels.hpp"
 
+#include "engine/kernel_targets.hpp"
 #include "engine/sphere/fast/silhouette.hpp"
 #include "engine/sphere/frame.hpp"
 #include "engine/sphere/prototype_pixel.hpp"
@@ -10,9 +11,6 @@
 #include "engine/sphere/rtl_pixel.hpp"
 #include "engine/sphere/timeline.hpp"
 
-// No Isa names it.
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/sphere/fast/kernels.cpp"
 #include <hwy/foreach_target.h>

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "engine/whitted/fast/kernels.hpp"
+#include "engine/kernel_targets.hpp"
 
-#undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS HWY_SSSE3 // no model has a row for it
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/whitted/fast/kernels.cpp" // once for each instruction set
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>
 
-#if HWY_TARGET != HWY_SCALAR // Highway's own, compiled where nothing else is certain to run
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128 // the plain C++, which is not used
 #include "engine/whitted/fast/picture-inl.hpp"
 #endif
 
