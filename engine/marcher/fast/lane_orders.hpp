@@ -21,9 +21,9 @@ constexpr LaneOrders<lanes> make_lane_orders() noexcept
     for (std::size_t set = 0; set < rows.size(); ++set) {
         std::size_t at = 0;
         for (const bool wanted : {true, false})
-            for (std::uint8_t lane = 0; lane < lanes; ++lane)
+            for (std::size_t lane = 0; lane < lanes; ++lane)
                 if (((set >> lane & 1) != 0) == wanted)
-                    rows[set][at++] = lane;
+                    rows[set][at++] = static_cast<std::uint8_t>(lane);
     }
     return rows;
 }

@@ -15,11 +15,11 @@ namespace raymarch::engine::whitted::fast
 /// Pixels of a row that are drawn together.
 inline constexpr unsigned tile_width = 128;
 /// Samples of a row of them: of the pixels' columns, and of those to the left and right.
-inline constexpr std::size_t row_samples = 3 * tile_width;
+inline constexpr std::size_t row_samples = std::size_t{3} * tile_width;
 /// Rows of samples that a row of pixels needs.
 inline constexpr std::size_t sample_rows = 3;
 /// Where neighbours share samples: two rows of all that a tile's pixels have.
-inline constexpr std::size_t stream_length = 2 * (2 * tile_width + 1);
+inline constexpr std::size_t stream_length = 2 * (std::size_t{2} * tile_width + 1);
 /// As many columns more than are used: vectors are stored whole.
 inline constexpr std::size_t longest_vector = 16;
 
