@@ -30,8 +30,8 @@ set(CPACK_DEBIAN_SERVICE_PACKAGE_SUGGESTS raymarchd-pictures)
 set(CPACK_DEBIAN_PICTURES_PACKAGE_NAME raymarchd-pictures)
 set(CPACK_DEBIAN_PICTURES_PACKAGE_DEPENDS "raymarchd (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_PICTURES_DESCRIPTION
-  "The modules that write PNG, JPEG, GIF and MP4 for raymarchd and raymarchctl,
-with OpenCV. PPM and TGA need no module.")
+  "The modules that write JPEG, GIF and MP4 for raymarchd and raymarchctl, with
+OpenCV. PNG, PPM and TGA need no module.")
 
 if(CMAKE_CROSSCOMPILING)
   # CPack's way has dpkg-shlibdeps look at what is installed here; depends.cmake has it look at the

@@ -3,7 +3,7 @@
 /// What the modules export: one C function for each kind of file, so that the programs need not
 /// know the libraries behind them.
 ///
-/// `libraymarch_pictures.so` has PNG, JPEG (OpenCV) and GIF (giflib); `libraymarch_video.so` has
+/// `libraymarch_pictures.so` has JPEG (OpenCV) and GIF (giflib); `libraymarch_video.so` has
 /// MP4, by itself because OpenCV's videoio brings some sixty libraries with it.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace raymarch::pictures
 
 using ByteSink = void (*)(void* context, const std::uint8_t* bytes, std::size_t count);
 
-/// Encodes `width` x `height` RGB pixels as the format of `extension` (".png", ".jpg") and hands
+/// Encodes `width` x `height` RGB pixels as the format of `extension` (".jpg") and hands
 /// the bytes to `sink`. False when OpenCV cannot.
 using EncodeFunction = bool (*)(const char* extension, const std::uint8_t* rgb, int width,
                                 int height, ByteSink sink, void* context);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The OpenCV module: PNG and JPEG.
+/// The OpenCV module: JPEG.
 #include "pictures/module.hpp"
 
 #include <opencv2/core.hpp>

@@ -3,6 +3,7 @@
 
 #include "pictures/load_module.hpp"
 #include "pictures/module.hpp"
+#include "pictures/png_file.hpp"
 
 #include <array>
 #include <cctype>
@@ -57,7 +58,7 @@ Result<Bytes> encode_with_opencv(const engine::Image& image, const char* extensi
         return fail(plain_error(ErrorKind::Unavailable,
                                 std::string("writing ") + extension + " needs OpenCV's module " +
                                     module_file +
-                                    ", which is not installed; .ppm and .tga do not"));
+                                    ", which is not installed; .png, .ppm and .tga do not"));
     Bytes bytes;
     const ByteSink append = [](void* context, const std::uint8_t* data, std::size_t count) {
         auto* const target = static_cast<Bytes*>(context);
@@ -98,7 +99,7 @@ Result<Bytes> encode(const engine::Image& image, PictureFormat format)
     case PictureFormat::Tga:
         return encode_tga(image);
     case PictureFormat::Png:
-        return encode_with_opencv(image, ".png");
+        return encode_png(image);
     case PictureFormat::Jpeg:
         return encode_with_opencv(image, ".jpg");
     }

@@ -2,8 +2,9 @@
 /// @file
 /// A picture in memory to the bytes of a picture file.
 ///
-/// PPM and TGA are written here; PNG and JPEG by OpenCV, in a module that is loaded when the first
-/// such picture is asked for: the programs start without OpenCV and run on boards that lack it.
+/// PPM and TGA are written here, PNG by libpng; JPEG by OpenCV, in a module that is loaded when the
+/// first such picture is asked for: the programs start without OpenCV and run on boards that lack
+/// it.
 #pragma once
 
 #include "base/result.hpp"

@@ -32,6 +32,7 @@ RESTRICTED: dict[str, set[str]] = {
     "systemd/": {"daemon"},
     "gpiod": {"drivers"},
     "opencv2/": {"pictures"},
+    "png.h": {"pictures"},
     "CLI/": {"daemon", "console", "tools"},
     "thread": {"base", "engine", "emulation", "daemon", "console"},
 }

@@ -32,10 +32,14 @@ chmod 755 "$work" # mmdebstrap may be another user inside
     exit 1
 }
 service=$(ls "$work"/made/raymarchd_*.deb)
-python3 "$source/tools/package/contents.py" --made-in "$source" --made-in "$build" "$work"/made/*.deb
+# What Debian 12 makes runs on Ubuntu 22.04, too; what a newer Debian makes may need more.
+like_the_board=
+! grep -q '^VERSION_CODENAME=bookworm$' /etc/os-release || like_the_board=--board
+python3 "$source/tools/package/contents.py" --made-in "$source" --made-in "$build" $like_the_board \
+    "$work"/made/*.deb
 # The tool finds the modules of the other package; here, where OpenCV is.
 for package in "$work"/made/*.deb; do dpkg-deb -x "$package" "$work/both"; done
-"$work/both/usr/bin/raymarchctl" render --size 16x12 -o "$work/a.png"
+"$work/both/usr/bin/raymarchctl" render --size 16x12 -o "$work/a.jpg"
 
 mkdir "$work/packages"
 cp "$work"/made/*.deb "$here/life.sh" "$work/packages"

@@ -13,12 +13,13 @@ apt-get install -q -y ./raymarchd_*.deb >&2
 raymarchctl encode 'FX=0,FY=0,FZ=1,RX=1,RY=0,RZ=0,UX=0,UY=1,UZ=0,ZM=3,LX=3,LY=2,LZ=5,R=1,G=1,B=1,OBJ=sphere' >&2 ||
     fail "the tool does not run"
 raymarchctl render --size 16x12 -o /tmp/a.ppm >&2 || fail "the tool does not draw"
-! raymarchctl render --size 16x12 -o /tmp/a.png >&2 || fail "a PNG without the pictures' package"
+raymarchctl render --size 16x12 -o /tmp/a.png >&2 || fail "no PNG without the pictures' package"
+! raymarchctl render --size 16x12 -o /tmp/a.jpg >&2 || fail "a JPEG without the pictures' package"
 [ -e /lib/firmware/raymarch.dtbo ] || fail "the overlay is not where the tool looks for it"
 [ -L "$wants" ] || fail "it is not enabled"
 { getent passwd raymarchd >&2 && getent group uio gpio >&2; } || fail "no user, or no groups"
 ! dpkg -l | grep -q libopencv || fail "OpenCV came along"
-say "installed, without OpenCV"
+say "installed, without OpenCV; it writes PNG"
 
 apt-get install -q -y -s ./raymarchd-pictures_*.deb >/tmp/plan
 grep -q '^Inst libopencv-imgcodecs' /tmp/plan || fail "the pictures' package does without OpenCV"

@@ -66,8 +66,6 @@ TEST(Film, ASequenceIsAPictureForEachFrame)
 
 TEST(Film, ASequenceOfPng)
 {
-    if (!test::has_picture_module)
-        GTEST_SKIP() << "the picture module is not built";
     const auto expected = encode(noise(size, 50), PictureFormat::Png);
     ASSERT_TRUE(expected) << expected.error().message;
     const test::TemporaryFolder folder;

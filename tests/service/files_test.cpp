@@ -371,10 +371,7 @@ TEST_P(InPlaceOfAFile, AsThePreviewItIsRefusedAndStays)
     Service service(folder,
                     {"--registers", "emulated", "--emulated-size", "64x48", "--preview", preview});
     ASSERT_TRUE(service.ready());
-    EXPECT_TRUE(says(service, "no preview: "));
-    if (RAYMARCH_HAS_PICTURES) {
-        EXPECT_TRUE(says(service, "no preview: " + preview + complaint.substr(path.size())));
-    }
+    EXPECT_TRUE(says(service, "no preview: " + preview + complaint.substr(path.size())));
     Host host = Host::on_socket(service.control());
     EXPECT_EQ(host.ask("ACCELERATOR sphere").substr(0, 2), "OK");
     EXPECT_TRUE(eventually([&] { return service.status("frames") == "1"; }));
@@ -444,8 +441,6 @@ TEST(ServiceFiles, AStateBehindALinkIsKeptThereWithItsPermissions)
 
 TEST(ServiceFiles, APreviewKeepsItsPermissionsAndItsLink)
 {
-    if (!RAYMARCH_HAS_PICTURES)
-        GTEST_SKIP() << "the picture module is not built";
     const TemporaryFolder folder;
     test::write_text(folder / "other/real", "");
     ASSERT_EQ(::chmod((folder / "other/real").c_str(), 0644), 0);

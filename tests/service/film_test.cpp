@@ -143,8 +143,6 @@ TEST_F(Film, EachFrameIsThePictureOfItsState)
 
 TEST_F(Film, TheFirstPictureOfASequenceIsTheRenderedFile)
 {
-    if (!has_pictures)
-        GTEST_SKIP() << no_module;
     const Arguments view = {"--preset", "maze", "--size", "40x30"};
     Arguments arguments = view;
     arguments.insert(arguments.end(), {"--frames", "2"});

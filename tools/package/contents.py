@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Looks into Debian packages: what has to be there, owners and modes, stripped programs, and nothing of
-the machine that made them.
+"""Looks into Debian packages: what has to be there, owners and modes, stripped programs, nothing of the
+machine that made them, and that the board's package runs on the releases of releases.py.
 
-Usage: contents.py [--made-in FOLDER]... PACKAGE.deb...
+Usage: contents.py [--made-in FOLDER]... [--board] PACKAGE.deb...
 
-No file may name a FOLDER: the sources', the build's, the sysroot's.
+No file may name a FOLDER: the sources', the build's, the sysroot's. --board holds the service's package of
+any architecture to what the board's is held to: it was made on the older of the machines that make it.
 """
 
 import argparse
@@ -16,7 +17,10 @@ import re
 import subprocess
 import sys
 import tarfile
+import tempfile
 from pathlib import Path
+
+from releases import depends_faults, newest, symbol_faults
 
 # Files; * is the architecture, as Debian names its folders.
 REQUIRED = {
@@ -26,6 +30,7 @@ REQUIRED = {
         "usr/lib/firmware/raymarch.dtbo",
         "usr/lib/firmware/raymarch_clock.dtbo",
         "usr/lib/modprobe.d/raymarchd.conf",
+        "usr/lib/systemd/system/bootpy.service.d/raymarchd.conf",
         "usr/lib/systemd/system/raymarch-overlay.service",
         "usr/lib/systemd/system/raymarchd.service",
         "usr/lib/systemd/system/raymarchd.service.d/console.conf",
@@ -82,10 +87,22 @@ def content_faults(content: bytes, folders: list[str]) -> list[str]:
     return faults + [f"names {folder}" for folder in folders if folder.encode() in content]
 
 
-def package_faults(package: Path, folders: list[str]) -> list[str]:
+def versions_needed(program: bytes) -> list[str]:
+    """The versions of symbols that a program or a library needs of others, such as GLIBC_2.34."""
+    with tempfile.NamedTemporaryFile() as file:
+        file.write(program)
+        file.flush()
+        _, _, needs = output("readelf", "-W", "-V", file.name).decode().partition("Version needs section")
+    return re.findall(r"Name: (\S+)\s+Flags:", needs)
+
+
+def package_faults(package: Path, folders: list[str], board: bool) -> list[str]:
     faults = []
     name = field(package, "Package")
+    depends = field(package, "Depends")
+    board = name == "raymarchd" and (board or field(package, "Architecture") == "armhf")
     files = []
+    needed = []
     with tarfile.open(fileobj=io.BytesIO(output("dpkg-deb", "--fsys-tarfile", str(package)))) as tree:
         for entry in tree:
             found = entry_faults(entry)
@@ -93,23 +110,38 @@ def package_faults(package: Path, folders: list[str]) -> list[str]:
                 files.append(entry.name.removeprefix("./"))
                 content = tree.extractfile(entry)
                 assert content is not None
-                found += content_faults(content.read(), folders)
+                data = content.read()
+                found += content_faults(data, folders)
+                if board and data.startswith(b"\x7fELF"):
+                    versions = versions_needed(data)
+                    needed += versions
+                    found += symbol_faults(versions)
             faults += [f"{entry.name} {fault}" for fault in found]
     faults += [f"lacks {path}" for path in REQUIRED[name] if not fnmatch.filter(files, path)]
     allowed = REQUIRED[name] + MAY_BE_MORE.get(name, [])
     expected = {file for path in allowed for file in fnmatch.filter(files, path)}
     faults += [f"{file} is not expected" for file in files if file not in expected]
-    if name == "raymarchd" and "opencv" in field(package, "Depends"):
+    # Every release names these otherwise.
+    faults += [f"depends on {library}" for library in re.findall(r"libfmt\d+", depends)]
+    if name == "raymarchd" and "opencv" in depends:
         faults.append("depends on OpenCV")
+    if board:
+        faults += depends_faults(depends)
+        print(f"{package.name}: {depends}; {newest(needed)}")
     return [f"{package.name}: {fault}" for fault in faults]
 
 
 def main() -> int:
     parser = argparse.ArgumentParser()
     parser.add_argument("--made-in", action="append", default=[], metavar="FOLDER")
+    parser.add_argument("--board", action="store_true")
     parser.add_argument("packages", nargs="+", type=Path, metavar="PACKAGE")
     options = parser.parse_args()
-    faults = [fault for package in options.packages for fault in package_faults(package, options.made_in)]
+    faults = [
+        fault
+        for package in options.packages
+        for fault in package_faults(package, options.made_in, options.board)
+    ]
     for fault in faults:
         print(fault, file=sys.stderr)
     return 1 if faults else 0
