@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/standard_descriptors.hpp"
 #include "console/subcommands.hpp"
+#include "console/wrong_words.hpp"
 
 #include <fmt/format.h>
 #include <sysexits.h>
@@ -28,6 +29,7 @@ int main(int argc, char** argv)
     CLI::App app("raymarchctl: the tool beside raymarchd", "raymarchctl");
     app.set_version_flag("--version", "raymarchctl " RAYMARCH_VERSION);
     app.require_subcommand(1);
+    app.failure_message(console::explain);
     console::Run run;
     for (const auto add :
          {console::add_encode, console::add_decode, console::add_render, console::add_film,

@@ -293,9 +293,10 @@ TEST_F(Export, AViewThatTheFormatDoesNotHold)
               "raymarchctl: the picture is 640x480" + allowed);
     const std::string coloured = why({"--preset", "cube_side"}, EX_DATAERR);
     EXPECT_NE(coloured.find(", not grey" + allowed), std::string::npos) << coloured;
-    EXPECT_NE(
-        why({"--preset", "lattice"}, EX_USAGE).find("'lattice' is no preset; there are start"),
-        std::string::npos);
+    EXPECT_EQ(why({"--preset", "lattice"}, EX_USAGE),
+              "raymarchctl: 'lattice' is a preset of marcher, not of fractal\n");
+    EXPECT_NE(why({"--preset", "none"}, EX_USAGE).find("'none' is no preset; there are start"),
+              std::string::npos);
     EXPECT_NE(why({"--set", "HUE=256"}, EX_DATAERR).find("key=HUE"), std::string::npos);
 }
 
