@@ -32,10 +32,10 @@ int main(int argc, char** argv)
     app.failure_message(console::explain);
     console::Run run;
     for (const auto add :
-         {console::add_encode, console::add_decode, console::add_render, console::add_film,
-          console::add_sheet, console::add_zoom, console::add_cycles, console::add_export,
-          console::add_receive, console::add_send, console::add_console, console::add_status,
-          console::add_watch, console::add_conformance, console::add_overlay})
+         {console::add_list, console::add_encode, console::add_decode, console::add_render,
+          console::add_film, console::add_sheet, console::add_zoom, console::add_cycles,
+          console::add_export, console::add_receive, console::add_send, console::add_console,
+          console::add_status, console::add_watch, console::add_conformance, console::add_overlay})
         add(app, run);
     try {
         app.parse(argc, argv);

@@ -163,7 +163,10 @@ void add_zoom(CLI::App& app, Run& run)
         "zoom", "deep views of the mandelbulb at a point that a pixel shows: frames, or a sheet "
                 "of pictures by float, double and the accelerator's arithmetic");
     const auto options = std::make_shared<ZoomOptions>();
-    command->add_option("--preset", options->preset, "the view whose pixel is approached")
+    command
+        ->add_option(
+            "--preset", options->preset,
+            fmt::format("the preset of {} whose pixel is approached", table::description.name))
         ->type_name("NAME")
         ->capture_default_str();
     command->add_option("--pixel", options->pixel, "of the view at 1280x720, from the top left")

@@ -9,7 +9,7 @@
 
 #include <sysexits.h>
 
-#include <array>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -40,7 +40,7 @@ TEST(CommandLine, AWrongWordGetsTheNearestOne)
     const std::vector<Refused> rows = {
         {{"frobnicate"},
          EX_USAGE,
-         "raymarchctl: 'frobnicate' is no subcommand; there are encode, "},
+         "raymarchctl: 'frobnicate' is no subcommand; there are list, encode, "},
         {{"rendr"}, EX_USAGE, "; did you mean 'render'?\nRun raymarchctl --help for a list.\n"},
         {{"Status"}, EX_USAGE, "did you mean 'status'?"},
         {{"overlay", "laod"},
@@ -136,6 +136,151 @@ TEST(CommandLine, TheServiceNamesTheNearestOptionToo)
     EXPECT_TRUE(holds(why({"--check-confg"}), "did you mean '--check-config'?"));
     EXPECT_TRUE(holds(why({"--frobnicate"}), "there is no option --frobnicate\n"));
     EXPECT_TRUE(holds(why({"--accelerator", "mandelbub"}), "did you mean 'mandelbulb'?"));
+}
+
+std::vector<std::string> lines_of(const std::string& text)
+{
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+/// The line of a name: itself, blanks, and its meaning.
+void expect_line(const std::string& line, std::string_view name, std::string_view meaning)
+{
+    EXPECT_TRUE(line.starts_with(name)) << line;
+    EXPECT_TRUE(line.ends_with(meaning)) << line;
+    const std::string between =
+        line.substr(name.size(), line.size() - name.size() - meaning.size());
+    EXPECT_EQ(between, std::string(between.size(), ' ')) << line;
+    EXPECT_EQ(between.size() >= 2, !meaning.empty()) << line;
+}
+
+class List : public testing::Test
+{
+  protected:
+    std::vector<std::string> list(const Words& words) const
+    {
+        Words all = {"list"};
+        all.insert(all.end(), words.begin(), words.end());
+        const Finished tool = run_tool(folder, all);
+        EXPECT_EQ(tool.status, EX_OK) << tool.errors;
+        EXPECT_EQ(tool.errors, "");
+        return lines_of(tool.output);
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(List, OfEveryAcceleratorIsItsTable)
+{
+    for (const protocol::Accelerator* accelerator : protocol::accelerators) {
+        const std::string name(accelerator->name);
+        const auto presets = list({"presets", "--accelerator", name});
+        ASSERT_EQ(presets.size(), accelerator->presets.size()) << name;
+        for (std::size_t i = 0; i < presets.size(); ++i)
+            expect_line(presets[i], accelerator->presets[i].name, accelerator->presets[i].summary);
+
+        const auto keys = list({"--accelerator", name, "keys"});
+        std::size_t line = 0;
+        for (const protocol::Parameter& parameter : accelerator->parameters)
+            if (!parameter.is_tail()) {
+                ASSERT_LT(line, keys.size()) << name;
+                expect_line(keys[line++], parameter.key, parameter.meaning);
+            }
+        EXPECT_EQ(line, keys.size()) << name;
+
+        if (!accelerator->scene) {
+            const Finished none = run_tool(folder, {"list", "scenes", "--accelerator", name});
+            EXPECT_EQ(none.status, EX_USAGE);
+            EXPECT_EQ(none.errors, "raymarchctl: " + name + " has no scenes\n");
+            continue;
+        }
+        const auto choices = accelerator->parameters[*accelerator->scene].choices;
+        EXPECT_EQ(list({"scenes", "--accelerator", name}),
+                  std::vector<std::string>(choices.begin(), choices.end()));
+    }
+}
+
+TEST_F(List, WithoutAWordSaysWhatThereIs)
+{
+    const auto overview = list({});
+    const auto accelerators = list({"accelerators"});
+    ASSERT_EQ(accelerators.size(), protocol::accelerators.size());
+    ASSERT_GT(overview.size(), accelerators.size());
+    for (std::size_t i = 0; i < accelerators.size(); ++i) {
+        expect_line(accelerators[i], protocol::accelerators[i]->name,
+                    protocol::accelerators[i]->summary);
+        EXPECT_EQ(overview[i], accelerators[i]);
+    }
+    std::string rest;
+    for (std::size_t i = accelerators.size(); i < overview.size(); ++i)
+        rest += overview[i] + "\n";
+    for (const char* const what : {"raymarchctl list WHAT", "\naccelerators ", "\npresets ",
+                                   "\nscenes ", "\nkeys ", "--accelerator"})
+        EXPECT_TRUE(holds(rest, what));
+    EXPECT_EQ(list({"presets"}), list({"presets", "--accelerator", "marcher"}));
+}
+
+TEST_F(List, OfAnUnknownKindOrAccelerator)
+{
+    const Finished kind = run_tool(folder, {"list", "preset"});
+    EXPECT_EQ(kind.status, EX_USAGE);
+    EXPECT_EQ(kind.errors, "raymarchctl: 'preset' is no list; there are accelerators, presets, "
+                           "scenes, keys; did you mean 'presets'?\n");
+    const Finished accelerator = run_tool(folder, {"list", "keys", "--accelerator", "spere"});
+    EXPECT_EQ(accelerator.status, EX_USAGE);
+    EXPECT_TRUE(holds(accelerator.errors, "did you mean 'sphere'?"));
+}
+
+/// What bash offers for the last of the words.
+std::vector<std::string> completions(const TemporaryFolder& folder, const Words& words)
+{
+    const std::string script =
+        "source \"$1\"; program=$2; shift 2; COMP_WORDS=(raymarchctl \"$@\"); COMP_CWORD=$#; "
+        "_raymarchctl \"$program\"; printf '%s\\n' \"${COMPREPLY[@]}\"";
+    Words command = {"/bin/bash", "-c", script, "bash", RAYMARCH_COMPLETION, RAYMARCHCTL};
+    command.insert(command.end(), words.begin(), words.end());
+    Process bash(command, folder / "bash");
+    EXPECT_EQ(bash.wait(), 0) << bash.errors();
+    return lines_of(bash.output());
+}
+
+TEST_F(List, IsWhatCompletionOffers)
+{
+#ifdef RAYMARCH_EMULATOR
+    GTEST_SKIP() << "bash does not know the emulator";
+#endif
+    const auto names = [&](const Words& words) {
+        std::vector<std::string> first;
+        for (const std::string& line : list(words))
+            first.push_back(line.substr(0, line.find(' ')));
+        return first;
+    };
+    using Lines = std::vector<std::string>;
+    const auto offered = [&](const Words& words) { return completions(folder, words); };
+    EXPECT_EQ(offered({"render", "--accelerator", ""}), names({"accelerators"}));
+    EXPECT_EQ(offered({"render", "--preset", ""}), names({"presets"}));
+    for (const protocol::Accelerator* accelerator : protocol::accelerators) {
+        const std::string name(accelerator->name);
+        EXPECT_EQ(offered({"film", "--accelerator", name, "--preset", ""}),
+                  names({"presets", "--accelerator", name}));
+    }
+    EXPECT_EQ(offered({"cycles", "--accelerator", "=", "fractal", "--scene", ""}),
+              names({"scenes", "--accelerator", "fractal"}));
+    EXPECT_EQ(offered({"export", "--preset", ""}), names({"presets", "--accelerator", "fractal"}));
+    EXPECT_EQ(offered({"zoom", "--preset", ""}), names({"presets", "--accelerator", "mandelbulb"}));
+    EXPECT_EQ(offered({"render", "--preset", "=", "lattice_d"}), Lines{"lattice_diagonal"});
+    EXPECT_EQ(offered({"render", "--set", "OB"}), Lines{"OBJ="});
+    EXPECT_EQ(offered({"render", "--set", "OBJ", "=", "cube,Z"}), Lines{"cube,ZM="});
+    EXPECT_EQ(offered({"render", "--set", "OBJ", "=", "cu"}), Lines{""});
+    EXPECT_EQ(offered({"export", "--set", "COL"}), (Lines{"COLOUR=", "COLLISION="}));
+    EXPECT_EQ(offered({"list", "p"}), Lines{"presets"});
+    EXPECT_EQ(offered({"list", "--accelerator", "wh"}), Lines{"whitted"});
+    EXPECT_EQ(offered({"rende"}), Lines{"render"});
+    EXPECT_EQ(offered({"overlay", "lo"}), Lines{"load"});
 }
 
 } // namespace
