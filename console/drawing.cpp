@@ -59,7 +59,8 @@ void print_times(std::vector<Milliseconds> times, const engine::Drawing& drawing
 
 CLI::Option* add_threads_option(CLI::App& command, unsigned& threads)
 {
-    return command.add_option("--threads", threads, "that draw; 0 is one for each processor")
+    return command
+        .add_option("--threads", threads, "threads that draw; 0 is one for each processor")
         ->check(CLI::Range(0U, most_threads))
         ->type_name("N");
 }
@@ -76,7 +77,7 @@ void add_draw_options(CLI::App& command, DrawOptions& options)
     isa->type_name("NAME");
     command
         .add_flag("--reference", options.reference,
-                  "with the plain scalar model that defines the bits")
+                  "draw by the plain scalar model, which defines the bits")
         ->excludes(isa);
     command
         .add_option("--repeat", options.repeat,

@@ -139,9 +139,11 @@ void add_export(CLI::App& app, Run& run)
     const auto options = std::make_shared<ExportOptions>();
     CLI::Option_group* const where = command->add_option_group("where to");
     CLI::Option* const interface =
-        where->add_option("--interface", options->interface, "a network interface; CAP_NET_RAW")
+        where
+            ->add_option("--interface", options->interface,
+                         "the network interface to send on; takes CAP_NET_RAW")
             ->type_name("IF");
-    where->add_option("--pcap", options->capture, "a capture file; - is standard output")
+    where->add_option("--pcap", options->capture, "a capture file to write; - is standard output")
         ->type_name("FILE");
     where->require_option(1);
     options->view.accelerator = protocol::fractal::description.name; // whose export it is

@@ -20,6 +20,14 @@ int report(const Error& error)
 
 } // namespace raymarch::console
 
+namespace
+{
+
+/// Where the texts of --help begin. No option is one blank shorter: it would touch its text.
+constexpr std::size_t help_column = 34;
+
+} // namespace
+
 // Before its try blocks only a lack of memory throws. NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv)
 {
@@ -30,6 +38,7 @@ int main(int argc, char** argv)
     app.set_version_flag("--version", "raymarchctl " RAYMARCH_VERSION);
     app.require_subcommand(1);
     app.failure_message(console::explain);
+    app.get_formatter()->column_width(help_column);
     console::Run run;
     for (const auto add :
          {console::add_list, console::add_encode, console::add_decode, console::add_render,

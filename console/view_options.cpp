@@ -128,17 +128,22 @@ CLI::Option_group& add_view_options(CLI::App& command, ViewOptions& options)
     CLI::Option* const line =
         what->add_option("--line", options.line, "a parameter frame")->type_name("LINE");
     CLI::Option* const preset =
-        what->add_option("--preset", options.preset, "a view worth looking at")->type_name("NAME");
+        what->add_option("--preset", options.preset,
+                         "a view worth looking at; raymarchctl list presets names them")
+            ->type_name("NAME");
     CLI::Option* const scene =
-        what->add_option("--scene", options.scene, "the defaults in this scene")->type_name("NAME");
-    what->add_option("--set", options.settings, "changes to that, or to the defaults")
+        what->add_option("--scene", options.scene,
+                         "the defaults in this scene; raymarchctl list scenes")
+            ->type_name("NAME");
+    what->add_option("--set", options.settings,
+                     "changes to that, or to the defaults; raymarchctl list keys")
         ->type_name("KEY=VALUE,...")
         ->excludes(registers);
     registers->excludes(line, preset, scene);
     line->excludes(preset, scene);
     preset->excludes(scene);
-    add_accelerator_option(command, options.accelerator, "which one");
-    command.add_option("--size", options.size, "of the picture (default: the accelerator's)")
+    add_accelerator_option(command, options.accelerator, "the accelerator that draws");
+    command.add_option("--size", options.size, "size of the picture (default: the accelerator's)")
         ->type_name("WxH");
     return *what;
 }

@@ -16,6 +16,7 @@
 #include "protocol/reply.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sysexits.h>
 
 #include <array>
@@ -169,18 +170,24 @@ void add_zoom(CLI::App& app, Run& run)
             fmt::format("the preset of {} whose pixel is approached", table::description.name))
         ->type_name("NAME")
         ->capture_default_str();
-    command->add_option("--pixel", options->pixel, "of the view at 1280x720, from the top left")
+    command
+        ->add_option("--pixel", options->pixel,
+                     fmt::format("a pixel of that view at {}x{}, from the top left (default: {})",
+                                 table::description.size.width, table::description.size.height,
+                                 fmt::join(options->pixel, ",")))
         ->type_name("X,Y")
         ->delimiter(',')
         ->expected(2);
     command
-        ->add_option("--levels", options->levels,
-                     "zoom levels: at level Z neighbouring rays of a picture of 720 rows are 2^-Z "
-                     "apart at the surface; default 12,21,26")
+        ->add_option(
+            "--levels", options->levels,
+            fmt::format("zoom levels: at level Z neighbouring rays of a picture of {} rows are "
+                        "2^-Z apart at the surface (default: {})",
+                        table::description.size.height, fmt::join(options->levels, ",")))
         ->type_name("Z,...")
         ->delimiter(',')
         ->check(CLI::Range(min_zoom, max_zoom));
-    command->add_option("--size", options->size, "of each picture")
+    command->add_option("--size", options->size, "size of each picture")
         ->type_name("WxH")
         ->capture_default_str();
     add_threads_option(*command, options->threads);

@@ -18,6 +18,9 @@ namespace raymarch::daemon
 namespace
 {
 
+/// Where the texts of --help begin. No option is one blank shorter: it would touch its text.
+constexpr std::size_t help_column = 34;
+
 std::string option_name(std::string_view setting)
 {
     std::string name(setting);
@@ -50,6 +53,7 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
 {
     Options options;
     CLI::App app("raymarchd: drives a ray-marching accelerator from a serial host", "raymarchd");
+    app.get_formatter()->column_width(help_column);
     app.set_version_flag("--version", "raymarchd " RAYMARCH_VERSION);
     app.add_option(
            "--config", options.config_path,

@@ -9,6 +9,7 @@
 
 #include <sysexits.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -156,6 +157,70 @@ void expect_line(const std::string& line, std::string_view name, std::string_vie
         line.substr(name.size(), line.size() - name.size() - meaning.size());
     EXPECT_EQ(between, std::string(between.size(), ' ')) << line;
     EXPECT_EQ(between.size() >= 2, !meaning.empty()) << line;
+}
+
+/// Lines of a help where an option, or a subcommand, is not clearly apart from its text.
+std::vector<std::string> crowded_lines(const std::string& help)
+{
+    std::vector<std::string> crowded;
+    const auto lines = lines_of(help);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::size_t indent = std::min(lines[i].find_first_not_of(' '), lines[i].size());
+        const bool entry = indent == 2 || (indent == 4 && lines[i][indent] == '-');
+        // What a group says of itself is indented, too.
+        if (!entry || lines[i][indent] == '[' || lines[i][indent] == '(' || lines[i].ends_with(':'))
+            continue;
+        const bool apart = lines[i].find("  ", indent) != std::string::npos;
+        const bool broken = i + 1 < lines.size() && lines[i + 1].starts_with(std::string(30, ' '));
+        if (!apart && !broken)
+            crowded.push_back(lines[i]);
+    }
+    return crowded;
+}
+
+std::string help_of(const TemporaryFolder& folder, Words words)
+{
+    words.emplace_back("--help");
+    const Finished tool = run_tool(folder, words);
+    EXPECT_EQ(tool.status, EX_OK) << words.front();
+    return tool.output;
+}
+
+Words subcommands_in(const std::string& help)
+{
+    Words names;
+    const std::size_t at = help.find("Subcommands:\n");
+    for (const std::string& line : lines_of(help.substr(std::min(at, help.size()))))
+        if (line.starts_with("  ") && line[2] != ' ')
+            names.push_back(line.substr(2, line.find(' ', 2) - 2));
+    return names;
+}
+
+TEST(Help, CrowdedLinesAreFound)
+{
+    EXPECT_EQ(crowded_lines("Options:\n  --reference Excludes: --isa with the model\n"
+                            "  --size WxH   size\n  --long\n" +
+                            std::string(30, ' ') + "text\n"),
+              Words{"  --reference Excludes: --isa with the model"});
+}
+
+TEST(Help, ColumnsDoNotTouch)
+{
+    const TemporaryFolder folder;
+    const std::string general = help_of(folder, {});
+    EXPECT_EQ(crowded_lines(general), Words());
+    const Words subcommands = subcommands_in(general);
+    EXPECT_GE(subcommands.size(), 16U) << general;
+    for (const std::string& name : subcommands) {
+        const std::string help = help_of(folder, {name});
+        EXPECT_EQ(crowded_lines(help), Words()) << name;
+        for (const std::string& verb : subcommands_in(help))
+            EXPECT_EQ(crowded_lines(help_of(folder, {name, verb})), Words()) << name << verb;
+    }
+    Process service({RAYMARCHD, "--help"}, folder / "help");
+    EXPECT_EQ(service.wait(), EX_OK);
+    EXPECT_TRUE(holds(service.output(), "--emulated-size"));
+    EXPECT_EQ(crowded_lines(service.output()), Words());
 }
 
 class List : public testing::Test
