@@ -10,6 +10,9 @@
 #include <sysexits.h>
 
 #include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -346,6 +349,73 @@ TEST_F(List, IsWhatCompletionOffers)
     EXPECT_EQ(offered({"list", "--accelerator", "wh"}), Lines{"whitted"});
     EXPECT_EQ(offered({"rende"}), Lines{"render"});
     EXPECT_EQ(offered({"overlay", "lo"}), Lines{"load"});
+}
+
+/// Each subcommand that speaks to a service, as far as it gets without one.
+std::vector<Words> asking(const std::string& socket)
+{
+    return {{"send", "PING", "--socket", socket},
+            {"console", "--socket", socket},
+            {"status", "--socket", socket},
+            {"watch", "--count", "1", "--socket", socket},
+            {"conformance", "--socket", socket}};
+}
+
+TEST(NoService, TheErrorSaysHowToStartOne)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder / "control";
+    const std::string start =
+        "raymarchd --registers emulated --serial none --state none --control ";
+    const std::string expected =
+        "raymarchctl: no service listens on " + path + "; start one with: " + start + path + "\n";
+    const auto expect_for_all = [&](const char* when) {
+        for (const Words& words : asking(path)) {
+            const Finished tool = run_tool(folder, words);
+            EXPECT_EQ(tool.status, EX_UNAVAILABLE) << when << words.front();
+            EXPECT_EQ(tool.output, "");
+            EXPECT_EQ(tool.errors, expected) << when << words.front();
+        }
+    };
+    expect_for_all("missing ");
+    {
+        Service service(folder);
+        ASSERT_TRUE(service.ready());
+        service.process.signal(SIGKILL); // leaves the socket behind
+        static_cast<void>(service.process.wait());
+    }
+    ASSERT_TRUE(std::filesystem::is_socket(path));
+    expect_for_all("refused ");
+
+    // What the error says does it.
+    Process service({RAYMARCHD, "--registers", "emulated", "--serial", "none", "--state", "none",
+                     "--control", path},
+                    folder / "log");
+    EXPECT_TRUE(eventually([&] {
+        return run_tool(folder, {"send", "PING", "--socket", path}).status == EX_OK;
+    }));
+}
+
+TEST(NoService, OfTheUsualSocketTheUnitIsNamed)
+{
+    if (std::filesystem::exists("/run/raymarchd/control"))
+        GTEST_SKIP() << "a service is installed here";
+    const TemporaryFolder folder;
+    const Finished tool = run_tool(folder, {"status"});
+    EXPECT_EQ(tool.status, EX_UNAVAILABLE);
+    EXPECT_TRUE(holds(tool.errors, "no service listens on /run/raymarchd/control; start it with: "
+                                   "systemctl start raymarchd, or "));
+    EXPECT_TRUE(holds(tool.errors, "--socket PATH\n"));
+}
+
+TEST(NoService, OtherReasonsAreSaidAsTheyAre)
+{
+    const TemporaryFolder folder;
+    std::ofstream(folder / "file") << "no folder";
+    const Finished tool = run_tool(folder, {"status", "--socket", folder / "file/control"});
+    EXPECT_EQ(tool.status, EX_UNAVAILABLE);
+    EXPECT_TRUE(
+        holds(tool.errors, "connect to " + (folder / "file/control") + ": Not a directory"));
 }
 
 } // namespace
