@@ -77,7 +77,7 @@ Result<void> add_frames(const Scene& scene, const FilmOptions& options, pictures
     const auto mover = motion::mover_of(scene.description);
     std::array<engine::Image, 2> buffers = {engine::Image(scene.size), engine::Image(scene.size)};
     protocol::State state = scene.state;
-    Progress progress(options.frames);
+    Progress progress(options.frames, "frames");
     engine::Painter painter(options.threads);
     for (unsigned frame = 0; frame < options.frames; ++frame) {
         engine::Image& image = buffers[frame % buffers.size()];

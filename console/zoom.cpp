@@ -5,6 +5,7 @@
 #include "console/drawing.hpp"
 #include "console/mandelbulb_reference.hpp"
 #include "console/picture_output.hpp"
+#include "console/progress.hpp"
 #include "console/subcommands.hpp"
 #include "console/view_options.hpp"
 #include "engine/draw.hpp"
@@ -21,6 +22,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -133,6 +135,9 @@ Result<void> zoom(const ZoomOptions& options)
         return fail(whole.error());
 
     std::vector<pictures::SheetEntry> entries;
+    std::optional<Progress> progress;
+    if (!options.output.empty())
+        progress.emplace(static_cast<unsigned>(options.levels.size() * columns.size()), "pictures");
     for (const int level : options.levels) {
         const auto state = state_at(*whole, options, level);
         if (!state)
@@ -148,6 +153,7 @@ Result<void> zoom(const ZoomOptions& options)
             if (!image)
                 return fail(image.error());
             entries.push_back({std::move(*image), fmt::format("z={} {}", level, column.name)});
+            progress->show(static_cast<unsigned>(entries.size()));
         }
     }
     if (options.output.empty())
