@@ -364,6 +364,36 @@ std::span<const Setting> settings() noexcept
     return settings_table;
 }
 
+std::string to_text(const RegistersWhere& where)
+{
+    struct Writer
+    {
+        std::string operator()(const AutoRegisters&) const { return "auto"; }
+        std::string operator()(const UioNode& uio) const { return "uio:" + uio.path; }
+        std::string operator()(const UioName& uio) const { return "uio-name:" + uio.name; }
+        std::string operator()(const RegisterFile& file) const { return "file:" + file.path; }
+        std::string operator()(const EmulatedRegisters&) const { return "emulated"; }
+    };
+    return std::visit(Writer{}, where);
+}
+
+std::string to_text(const SerialWhere& where)
+{
+    struct Writer
+    {
+        std::string operator()(const NoSerial&) const { return "none"; }
+        std::string operator()(const SerialDevice& device) const
+        {
+            return fmt::format("{}@{}", device.path, device.baud);
+        }
+        std::string operator()(const PseudoTerminalLink& terminal) const
+        {
+            return "pty:" + terminal.link;
+        }
+    };
+    return std::visit(Writer{}, where);
+}
+
 Config default_config()
 {
     Config config;

@@ -251,6 +251,22 @@ TEST(Config, EveryRefusalOfALineNamesWhatIsAllowed)
     }
 }
 
+TEST(Config, PlacesAreWrittenAsTheyAreSet)
+{
+    Config config = default_config();
+    for (const std::string_view text :
+         {"auto", "uio:/dev/uio3", "uio-name:raymarch", "file:a/b c", "emulated"}) {
+        ASSERT_TRUE(set(config, "registers", text)) << text;
+        EXPECT_EQ(to_text(config.registers), text);
+    }
+    for (const std::string_view text : {"none", "pty:a/b c", "/dev/ttyPS0@9600"}) {
+        ASSERT_TRUE(set(config, "serial", text)) << text;
+        EXPECT_EQ(to_text(config.serial), text);
+    }
+    ASSERT_TRUE(set(config, "serial", "/dev/ttyPS0"));
+    EXPECT_EQ(to_text(config.serial), "/dev/ttyPS0@115200");
+}
+
 TEST(Config, ALineHasOneAction)
 {
     Config config = default_config();
