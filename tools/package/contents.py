@@ -99,6 +99,11 @@ def package_faults(package: Path, folders: list[str]) -> list[str]:
     allowed = REQUIRED[name] + MAY_BE_MORE.get(name, [])
     expected = {file for path in allowed for file in fnmatch.filter(files, path)}
     faults += [f"{file} is not expected" for file in files if file not in expected]
+    if name == "raymarchd-pictures":
+        has_video = any(file.endswith("/libraymarch_video.so") for file in files)
+        says_video = "and MP4 for" in field(package, "Description")
+        if has_video != says_video:
+            faults.append(f"its description {'says' if says_video else 'does not say'} that it writes MP4")
     if name == "raymarchd" and "opencv" in field(package, "Depends"):
         faults.append("depends on OpenCV")
     return [f"{package.name}: {fault}" for fault in faults]
