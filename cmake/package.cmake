@@ -29,9 +29,18 @@ set(CPACK_DEBIAN_SERVICE_PACKAGE_SUGGESTS raymarchd-pictures)
 
 set(CPACK_DEBIAN_PICTURES_PACKAGE_NAME raymarchd-pictures)
 set(CPACK_DEBIAN_PICTURES_PACKAGE_DEPENDS "raymarchd (= ${PROJECT_VERSION})")
-set(CPACK_COMPONENT_PICTURES_DESCRIPTION
-  "The modules that write JPEG, GIF and MP4 for raymarchd and raymarchctl, with
-OpenCV. PNG, PPM and TGA need no module.")
+# Called when all targets are known: the module for MP4 is built only where videoio is installed.
+macro(raymarch_describe_pictures)
+  set(kinds "JPEG and GIF")
+  set(films "MP4 is not in this build, which had no libopencv-videoio-dev.")
+  if(TARGET raymarch_video)
+    set(kinds "JPEG, GIF and MP4")
+    set(films "")
+  endif()
+  string(JOIN "\n" CPACK_COMPONENT_PICTURES_DESCRIPTION
+    "The modules that write ${kinds} for raymarchd and raymarchctl,"
+    "with OpenCV. PNG, PPM and TGA need no module." ${films})
+endmacro()
 
 if(CMAKE_CROSSCOMPILING)
   # CPack's way has dpkg-shlibdeps look at what is installed here; depends.cmake has it look at the

@@ -37,11 +37,31 @@ Result<std::unique_ptr<drivers::BytePort>> open_port(const std::string& text)
     return drivers::SerialPort::open(name->path, name->baud);
 }
 
+/// Nobody listens at `path`: says how that can be changed.
+Error no_service(const std::string& path)
+{
+    constexpr const char* start = "raymarchd --registers emulated --serial none --state none "
+                                  "--control";
+    const std::string how =
+        path == default_socket
+            ? fmt::format(
+                  "start it with: systemctl start raymarchd, or start one of your own with: "
+                  "{} PATH, and give --socket PATH",
+                  start)
+            : fmt::format("start one with: {} {}", start, path);
+    return plain_error(ErrorKind::Unavailable,
+                       fmt::format("no service listens on {}; {}", path, how));
+}
+
 Result<std::unique_ptr<drivers::BytePort>> open_endpoint(const Endpoint& endpoint)
 {
     if (!endpoint.port.empty())
         return open_port(endpoint.port);
-    return drivers::SocketPort::connect(endpoint.socket.empty() ? default_socket : endpoint.socket);
+    const std::string path = endpoint.socket.empty() ? default_socket : endpoint.socket;
+    auto port = drivers::SocketPort::connect(path);
+    if (!port && (port.error().number == ENOENT || port.error().number == ECONNREFUSED))
+        return fail(no_service(path));
+    return port;
 }
 
 } // namespace

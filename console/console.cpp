@@ -7,15 +7,18 @@
 #include "console/subcommands.hpp"
 #include "console/typed_lines.hpp"
 #include "protocol/accelerators.hpp"
+#include "protocol/text.hpp"
 
 #include <fmt/format.h>
 #include <sysexits.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace raymarch::console
 {
@@ -23,6 +26,28 @@ namespace
 {
 
 constexpr const char* prompt = "raymarch> ";
+
+/// What a person may type beside the protocol's lines. A pipe's bytes go out as they came.
+struct OwnWord
+{
+    std::string_view word;
+    std::string_view sent; ///< in its place; empty: the console ends
+};
+constexpr std::array own_words = {
+    OwnWord{"quit", ""},
+    OwnWord{"exit", ""},
+    OwnWord{"?", "HELP"},
+};
+constexpr const char* greeting = "HELP or ? explains; Tab completes; quit, exit or Ctrl-D ends.\n";
+
+const OwnWord* find_own_word(std::string_view line)
+{
+    const std::string_view typed = protocol::Text{line}.trimmed().bytes;
+    for (const OwnWord& row : own_words)
+        if (protocol::equal_ignoring_case(row.word, typed))
+            return &row;
+    return nullptr;
+}
 
 /// Says what is unusual about the far end, as most lines will have no reply.
 void warn_of(FarEnd far_end)
@@ -47,7 +72,7 @@ std::unique_ptr<TypedLines> lines_of_a_person(int stop_fd, const protocol::Accel
                            "terminal is not known\n");
         return plain_lines(stop_fd, prompt);
     }
-    fmt::print("HELP explains; Tab completes; Ctrl-D ends.\n");
+    fmt::print("{}", greeting);
     return lines;
 }
 
@@ -66,7 +91,7 @@ int converse(const Endpoint& endpoint)
                               : plain_lines(connection->stop_fd(), "");
     bool refused = false;
     for (;;) {
-        const auto line = lines->next();
+        auto line = lines->next();
         if (!line)
             return report(line.error());
         const int signal = connection->interrupted();
@@ -81,6 +106,11 @@ int converse(const Endpoint& endpoint)
             return signal != 0          ? status_of_signal + signal
                    : !person && refused ? status_err_reply
                                         : EX_OK;
+        }
+        if (const OwnWord* const own = person ? find_own_word(**line) : nullptr) {
+            if (own->sent.empty())
+                return EX_OK;
+            *line = own->sent;
         }
         if (replies_due(**line) == 0)
             continue;

@@ -94,16 +94,20 @@ void add_cycles(CLI::App& app, Run& run)
         "cycles", "clock cycles and frames a second of the source's hardware, by its exact model");
     const auto options = std::make_shared<CyclesOptions>();
     add_view_options(*command, options->view);
-    command->add_option("--units", options->units, "ray units (default: the accelerator's)")
+    command
+        ->add_option("--units", options->units, "number of ray units (default: the accelerator's)")
         ->check(CLI::Range(1, 255))
         ->type_name("N");
-    command->add_option("--clock", options->clock_hz, "in Hz (default: the accelerator's)")
+    command
+        ->add_option("--clock", options->clock_hz,
+                     "clock of the ray units in Hz (default: the accelerator's)")
         ->check(CLI::Range(1U, UINT32_MAX))
         ->type_name("HZ");
     command
         ->add_option(
             "--frame", options->frame,
-            "of a checkerboard, so many frames after reset (default: the mean of a still's)")
+            "of a checkerboard the frame that so many come before since the reset (default: "
+            "the mean of a still's)")
         ->type_name("N");
     add_threads_option(*command, options->threads);
     CLI::Option* const table = command->add_flag(

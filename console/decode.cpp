@@ -60,7 +60,7 @@ void add_decode(CLI::App& app, Run& run)
     const auto options = std::make_shared<DecodeOptions>();
     add_texts(*command, "WORD", options->words, "all parameter words, in hex, word 0 first")
         ->required();
-    add_accelerator_option(*command, options->accelerator, "whose words");
+    add_accelerator_option(*command, options->accelerator, "the accelerator whose words they are");
     command->callback([options, &run] { run = [options] { return decode(*options); }; });
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "console/drawing.hpp"
 
+#include "console/progress.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <vector>
 
 namespace raymarch::console
@@ -55,11 +58,41 @@ void print_times(std::vector<Milliseconds> times, const engine::Drawing& drawing
                threads, threads == 1 ? "" : "s");
 }
 
+/// Shows how far a still is, where that takes long: a still is one frame or several.
+class PictureProgress
+{
+  public:
+    PictureProgress(engine::Painter& painter, unsigned rows, unsigned frames)
+        : painter_(painter)
+        , rows_(rows)
+        , progress_(rows * frames, "rows", quiet)
+    {
+        painter.listen([this](unsigned taken, unsigned parts) {
+            frame_ += taken <= taken_ ? 1 : 0; // it rises within a frame
+            taken_ = taken;
+            progress_.show(frame_ * rows_ + taken * rows_ / parts);
+        });
+    }
+    PictureProgress(const PictureProgress&) = delete;
+    PictureProgress& operator=(const PictureProgress&) = delete;
+    ~PictureProgress() { painter_.listen({}); }
+
+  private:
+    static constexpr std::chrono::milliseconds quiet{300};
+
+    engine::Painter& painter_;
+    unsigned rows_;
+    unsigned frame_ = 0;
+    unsigned taken_ = 0;
+    Progress progress_;
+};
+
 } // namespace
 
 CLI::Option* add_threads_option(CLI::App& command, unsigned& threads)
 {
-    return command.add_option("--threads", threads, "that draw; 0 is one for each processor")
+    return command
+        .add_option("--threads", threads, "threads that draw; 0 is one for each processor")
         ->check(CLI::Range(0U, most_threads))
         ->type_name("N");
 }
@@ -76,7 +109,7 @@ void add_draw_options(CLI::App& command, DrawOptions& options)
     isa->type_name("NAME");
     command
         .add_flag("--reference", options.reference,
-                  "with the plain scalar model that defines the bits")
+                  "draw by the plain scalar model, which defines the bits")
         ->excludes(isa);
     command
         .add_option("--repeat", options.repeat,
@@ -101,6 +134,9 @@ Result<void> draw_picture(const engine::Model& model, engine::WordSpan words,
         return fail(kernel.error());
     const engine::Drawing drawing{model, words, *kernel};
     engine::Painter painter(options.threads);
+    std::optional<PictureProgress> progress; // not where it would be timed, too
+    if (options.repeat == 0)
+        progress.emplace(painter, tile.height, engine::frames_of_a_still(model, words));
     std::vector<Milliseconds> times;
     for (unsigned i = 0; i < std::max(options.repeat, 1U); ++i) {
         const auto start = std::chrono::steady_clock::now();

@@ -186,7 +186,7 @@ void add_encode(CLI::App& app, Run& run)
     command->add_option("LINE", options->line,
                         "the frame; without it lines are read from standard input, and each that "
                         "is not blank gets one reply");
-    add_accelerator_option(*command, options->accelerator, "whose frame");
+    add_accelerator_option(*command, options->accelerator, "the accelerator whose frame it is");
     command->callback([options, &run] {
         run = [options] {
             const auto accelerator = accelerator_named(options->accelerator);

@@ -139,21 +139,27 @@ void add_export(CLI::App& app, Run& run)
     const auto options = std::make_shared<ExportOptions>();
     CLI::Option_group* const where = command->add_option_group("where to");
     CLI::Option* const interface =
-        where->add_option("--interface", options->interface, "a network interface; CAP_NET_RAW")
+        where
+            ->add_option("--interface", options->interface,
+                         "the network interface to send on; takes CAP_NET_RAW")
             ->type_name("IF");
-    where->add_option("--pcap", options->capture, "a capture file; - is standard output")
+    where->add_option("--pcap", options->capture, "a capture file to write; - is standard output")
         ->type_name("FILE");
     where->require_option(1);
     options->view.accelerator = protocol::fractal::description.name; // whose export it is
     CLI::Option_group& what = add_view_options(*command, options->view);
-    what.description("(one of them)");
-    what.require_option(1);
+    what.description("(a view, which --set changes, or a picture)");
+    what.require_option(1, 0); // what cannot stand together excludes each other
     CLI::Option* const threads = add_threads_option(*command, options->threads);
-    what.add_option("--input", options->input,
-                    "no view but this picture, pgm or ppm, levels times 17 or of 15; - is "
-                    "standard input")
-        ->type_name("FILE")
-        ->excludes(command->get_option("--accelerator"), command->get_option("--size"), threads);
+    CLI::Option* const input =
+        what.add_option("--input", options->input,
+                        "no view but this picture, pgm or ppm, levels times 17 or of 15; - is "
+                        "standard input")
+            ->type_name("FILE")
+            ->excludes(command->get_option("--accelerator"), command->get_option("--size"),
+                       threads);
+    for (const char* const view : {"--registers", "--line", "--preset", "--scene", "--set"})
+        input->excludes(what.get_option(view));
     command
         ->add_flag("--fast", options->fast,
                    "as fast as the interface takes the frames, not as the source's hardware")

@@ -77,7 +77,7 @@ Result<void> add_frames(const Scene& scene, const FilmOptions& options, pictures
     const auto mover = motion::mover_of(scene.description);
     std::array<engine::Image, 2> buffers = {engine::Image(scene.size), engine::Image(scene.size)};
     protocol::State state = scene.state;
-    Progress progress(options.frames);
+    Progress progress(options.frames, "frames");
     engine::Painter painter(options.threads);
     for (unsigned frame = 0; frame < options.frames; ++frame) {
         engine::Image& image = buffers[frame % buffers.size()];
@@ -125,7 +125,7 @@ void add_film(CLI::App& app, Run& run)
         app.add_subcommand("film", "frames of the accelerator, moving, as a film");
     const auto options = std::make_shared<FilmOptions>();
     add_view_options(*command, options->view);
-    command->add_option("--frames", options->frames, "how many")
+    command->add_option("--frames", options->frames, "number of frames")
         ->check(CLI::Range(1U, most_frames))
         ->type_name("N")
         ->required();
@@ -139,13 +139,15 @@ void add_film(CLI::App& app, Run& run)
                      "animate; several with commas (default: animate)")
         ->type_name("WORDS");
     command
-        ->add_option("--steps", options->steps, "of the movement, from frame to frame (default: 1)")
+        ->add_option("--steps", options->steps,
+                     "steps of the movement from a frame to the next (default: 1)")
         ->check(CLI::Range(1U, most_steps))
         ->type_name("K");
     add_threads_option(*command, options->threads);
     command
-        ->add_option("-o,--output", options->output,
-                     "where to: .gif, .mp4, or a picture for each frame, as in name_%04d.png")
+        ->add_option(
+            "-o,--output", options->output,
+            "the file to write: .gif, .mp4, or a picture for each frame, as in name_%04d.png")
         ->type_name("FILE")
         ->required();
     command->callback([options, &run] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/standard_descriptors.hpp"
 #include "console/subcommands.hpp"
+#include "console/wrong_words.hpp"
 
 #include <fmt/format.h>
 #include <sysexits.h>
@@ -19,6 +20,14 @@ int report(const Error& error)
 
 } // namespace raymarch::console
 
+namespace
+{
+
+/// Where the texts of --help begin. No option is one blank shorter: it would touch its text.
+constexpr std::size_t help_column = 34;
+
+} // namespace
+
 // Before its try blocks only a lack of memory throws. NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv)
 {
@@ -28,12 +37,14 @@ int main(int argc, char** argv)
     CLI::App app("raymarchctl: the tool beside raymarchd", "raymarchctl");
     app.set_version_flag("--version", "raymarchctl " RAYMARCH_VERSION);
     app.require_subcommand(1);
+    app.failure_message(console::explain);
+    app.get_formatter()->column_width(help_column);
     console::Run run;
     for (const auto add :
-         {console::add_encode, console::add_decode, console::add_render, console::add_film,
-          console::add_sheet, console::add_zoom, console::add_cycles, console::add_export,
-          console::add_receive, console::add_send, console::add_console, console::add_status,
-          console::add_watch, console::add_conformance, console::add_overlay})
+         {console::add_list, console::add_encode, console::add_decode, console::add_render,
+          console::add_film, console::add_sheet, console::add_zoom, console::add_cycles,
+          console::add_export, console::add_receive, console::add_send, console::add_console,
+          console::add_status, console::add_watch, console::add_conformance, console::add_overlay})
         add(app, run);
     try {
         app.parse(argc, argv);

@@ -43,13 +43,13 @@ void write_error(std::string_view text)
 
 } // namespace
 
-std::string progress_line(unsigned done, unsigned total, std::chrono::seconds left,
-                          unsigned columns)
+std::string progress_line(unsigned done, unsigned total, std::string_view unit,
+                          std::chrono::seconds left, unsigned columns)
 {
     const auto parts = [&](unsigned of) {
         return static_cast<unsigned>(std::uint64_t{of} * done / total);
     };
-    std::string text = fmt::format("{}/{} frames  {} %", done, total, parts(100));
+    std::string text = fmt::format("{}/{} {}  {} %", done, total, unit, parts(100));
     if (done > 0)
         text += fmt::format("  {} left", as_text(left));
     const std::size_t beside = text.size() + 3; // the brackets and a space
@@ -60,8 +60,10 @@ std::string progress_line(unsigned done, unsigned total, std::chrono::seconds le
     return text.substr(0, columns);
 }
 
-Progress::Progress(unsigned total)
+Progress::Progress(unsigned total, std::string_view unit, std::chrono::milliseconds quiet)
     : total_(total)
+    , unit_(unit)
+    , quiet_(quiet)
     , visible_(::isatty(STDERR_FILENO) == 1)
     , start_(Clock::now())
 {
@@ -70,21 +72,22 @@ Progress::Progress(unsigned total)
 
 Progress::~Progress()
 {
-    if (visible_)
+    if (drawn_once_)
         write_error(clear_line);
 }
 
 void Progress::show(unsigned done)
 {
     const auto now = Clock::now();
-    if (!visible_ || (done < total_ && now - drawn_ < shortest_wait))
+    if (!visible_ || now - start_ < quiet_ || (done < total_ && now - drawn_ < shortest_wait))
         return;
     drawn_ = now;
+    drawn_once_ = true;
     const auto left =
         done > 0 ? (now - start_) * (total_ - done) / done : std::chrono::nanoseconds::zero();
     // One column less: some terminals begin a new line behind the last.
     const std::string line = progress_line(
-        done, total_, std::chrono::ceil<std::chrono::seconds>(left), terminal_columns() - 1);
+        done, total_, unit_, std::chrono::ceil<std::chrono::seconds>(left), terminal_columns() - 1);
     write_error(std::string(clear_line) + line);
 }
 

@@ -167,18 +167,22 @@ void add_receive(CLI::App& app, Run& run)
     const auto options = std::make_shared<ReceiveOptions>();
     CLI::Option_group* const where = command->add_option_group("where from");
     CLI::Option* const interface =
-        where->add_option("--interface", options->interface, "a network interface; CAP_NET_RAW")
+        where
+            ->add_option("--interface", options->interface,
+                         "the network interface to listen on; takes CAP_NET_RAW")
             ->type_name("IF");
-    where->add_option("--pcap", options->capture, "a capture file; - is standard input")
+    where->add_option("--pcap", options->capture, "a capture file to read; - is standard input")
         ->type_name("FILE");
     where->require_option(1);
     command
         ->add_option("-o,--output", options->output,
-                     "where to, in the format of its ending: png, jpg, ppm, tga; - is ppm on "
-                     "standard output")
+                     "the file to write; its ending says the format: png, jpg, ppm, tga; - is "
+                     "ppm on standard output")
         ->type_name("FILE")
         ->required();
-    command->add_option("--timeout", options->seconds, "until the picture is whole (default: 5)")
+    command
+        ->add_option("--timeout", options->seconds,
+                     "how long to wait for the whole picture (default: 5)")
         ->check(CLI::Range(0.01, 3600.0))
         ->type_name("SECONDS")
         ->needs(interface);

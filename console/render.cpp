@@ -94,12 +94,12 @@ void add_render(CLI::App& app, Run& run)
     add_draw_options(*command, options->drawing);
     command
         ->add_option("--tile", options->tile,
-                     "of the picture this part alone: its size, columns left of it, rows above it")
+                     "only this part of the picture: its size, columns left of it, rows above it")
         ->type_name("WxH+X+Y");
     command
         ->add_option("-o,--output", options->output,
-                     "where to, in the format of its ending: png, jpg, ppm, tga; - is ppm on "
-                     "standard output")
+                     "the file to write; its ending says the format: png, jpg, ppm, tga; - is "
+                     "ppm on standard output")
         ->type_name("FILE")
         ->required();
     command->callback([options, &run] {

@@ -107,11 +107,14 @@ void add_sheet(CLI::App& app, Run& run)
                      "views")
         ->type_name("NAME")
         ->excludes(views);
-    command->add_option("--columns", options->columns, "0 makes the sheet about square")
+    command
+        ->add_option("--columns", options->columns, "columns of the sheet; 0 makes it about square")
         ->check(CLI::Range(0, 32))
         ->type_name("N");
     add_threads_option(*command, options->threads);
-    command->add_option("-o,--output", options->output, "where to, in the format of its ending")
+    command
+        ->add_option("-o,--output", options->output,
+                     "the file to write; its ending says the format")
         ->type_name("FILE")
         ->required();
     command->callback([options, &run] {

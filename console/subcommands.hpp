@@ -19,6 +19,7 @@ void add_encode(CLI::App& app, Run& run);
 void add_decode(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_film(CLI::App& app, Run& run);
+void add_list(CLI::App& app, Run& run);
 void add_cycles(CLI::App& app, Run& run);
 void add_export(CLI::App& app, Run& run);
 void add_receive(CLI::App& app, Run& run);

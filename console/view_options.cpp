@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "console/view_options.hpp"
 
+#include "console/names.hpp"
 #include "console/texts.hpp"
 #include "console/words.hpp"
 #include "protocol/assignments.hpp"
@@ -10,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 namespace raymarch::console
@@ -17,13 +19,28 @@ namespace raymarch::console
 namespace
 {
 
-Error refused(const protocol::Accelerator& accelerator, const protocol::Fault& fault)
+/// The name that a fault in `line` may be a slip of, as an error says it.
+std::string meant(const protocol::Accelerator& accelerator, const protocol::Fault& fault,
+                  std::string_view line)
+{
+    if (fault.code == protocol::ErrorCode::UnknownKey)
+        return did_you_mean(fault.word, key_names(accelerator));
+    if (fault.code != protocol::ErrorCode::Object || !fault.parameter || fault.column == 0)
+        return {};
+    const std::string_view value = line.substr(std::min(fault.column - 1, line.size()));
+    return did_you_mean(protocol::Text{value.substr(0, value.find(','))}.trimmed().bytes,
+                        choice_names(accelerator.parameters[*fault.parameter]));
+}
+
+/// The reply of the service, and what may have been meant.
+Error refused(const protocol::Accelerator& accelerator, const protocol::Fault& fault,
+              std::string_view line)
 {
     protocol::ReplyWriter reply;
     protocol::write_fault(reply, accelerator, fault);
     std::string_view text = reply.text();
     text.remove_suffix(2);
-    return plain_error(ErrorKind::BadData, std::string(text));
+    return plain_error(ErrorKind::BadData, std::string(text) + meant(accelerator, fault, line));
 }
 
 Result<protocol::State> state_of_line(const protocol::Accelerator& accelerator,
@@ -35,12 +52,12 @@ Result<protocol::State> state_of_line(const protocol::Accelerator& accelerator,
                                 .too_long = bytes.size() > protocol::max_line_length},
                                false);
     if (request.kind == protocol::Request::Kind::Faulty)
-        return fail(refused(accelerator, request.fault));
+        return fail(refused(accelerator, request.fault, bytes));
     if (request.kind != protocol::Request::Kind::Frame)
         return fail(plain_error(ErrorKind::BadData, "--line takes a parameter frame"));
     protocol::State state = protocol::initial_state(accelerator);
     if (const auto fault = protocol::read_frame(accelerator, request.text, state))
-        return fail(refused(accelerator, *fault));
+        return fail(refused(accelerator, *fault, bytes));
     return state;
 }
 
@@ -53,38 +70,39 @@ Result<protocol::State> changed(const protocol::Accelerator& accelerator, protoc
     return state;
 }
 
+const protocol::Preset* find_preset(const protocol::Accelerator& accelerator, std::string_view name)
+{
+    for (const protocol::Preset& preset : accelerator.presets)
+        if (protocol::equal_ignoring_case(preset.name, name))
+            return &preset;
+    return nullptr;
+}
+
 Result<protocol::State> state_of_preset(const protocol::Accelerator& accelerator,
                                         const std::string& name)
 {
-    std::string names;
-    for (const protocol::Preset& preset : accelerator.presets) {
-        if (protocol::equal_ignoring_case(preset.name, name))
-            return changed(accelerator, protocol::initial_state(accelerator), preset.settings);
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", preset.name);
-    }
-    return fail(
-        plain_error(ErrorKind::Usage, fmt::format("'{}' is no preset; there are {}", name, names)));
+    if (const protocol::Preset* const preset = find_preset(accelerator, name))
+        return changed(accelerator, protocol::initial_state(accelerator), preset->settings);
+    for (const protocol::Accelerator* const other : protocol::accelerators)
+        if (find_preset(*other, name) != nullptr)
+            return fail(
+                plain_error(ErrorKind::Usage, fmt::format("'{}' is a preset of {}, not of {}", name,
+                                                          other->name, accelerator.name)));
+    return fail(unknown_name("preset", name, preset_names(accelerator)));
 }
 
-/// The defaults in that scene; the parameter is SCENE, or OBJ.
+/// The defaults in that scene.
 Result<protocol::State> state_of_scene(const protocol::Accelerator& accelerator,
                                        const std::string& name)
 {
-    for (const std::string_view key : {"SCENE", "OBJ"}) {
-        const auto index = protocol::find_parameter(accelerator.parameters, key);
-        if (!index)
-            continue;
-        const protocol::Parameter& parameter = accelerator.parameters[*index];
-        protocol::State state = protocol::initial_state(accelerator);
-        if (const auto code = protocol::find_choice(parameter, name)) {
-            state.codes[*index] = *code;
-            return state;
-        }
-        return fail(
-            plain_error(ErrorKind::Usage, fmt::format("'{}' is no scene; there are {}", name,
-                                                      fmt::join(parameter.choices, ", "))));
-    }
-    return fail(plain_error(ErrorKind::Usage, fmt::format("{} has no scenes", accelerator.name)));
+    if (!accelerator.scene)
+        return fail(has_no_scenes(accelerator));
+    const auto code = protocol::find_choice(accelerator.parameters[*accelerator.scene], name);
+    if (!code)
+        return fail(unknown_name("scene", name, scene_names(accelerator)));
+    protocol::State state = protocol::initial_state(accelerator);
+    state.codes[*accelerator.scene] = *code;
+    return state;
 }
 
 } // namespace
@@ -95,7 +113,7 @@ Result<void> change(const protocol::Accelerator& accelerator, std::string_view s
     protocol::ParameterSet given;
     if (const auto fault =
             protocol::read_assignments(accelerator, {.bytes = settings}, state, given))
-        return fail(refused(accelerator, *fault));
+        return fail(refused(accelerator, *fault, settings));
     return {};
 }
 
@@ -110,17 +128,22 @@ CLI::Option_group& add_view_options(CLI::App& command, ViewOptions& options)
     CLI::Option* const line =
         what->add_option("--line", options.line, "a parameter frame")->type_name("LINE");
     CLI::Option* const preset =
-        what->add_option("--preset", options.preset, "a view worth looking at")->type_name("NAME");
+        what->add_option("--preset", options.preset,
+                         "a view worth looking at; raymarchctl list presets names them")
+            ->type_name("NAME");
     CLI::Option* const scene =
-        what->add_option("--scene", options.scene, "the defaults in this scene")->type_name("NAME");
-    what->add_option("--set", options.settings, "changes to that, or to the defaults")
+        what->add_option("--scene", options.scene,
+                         "the defaults in this scene; raymarchctl list scenes")
+            ->type_name("NAME");
+    what->add_option("--set", options.settings,
+                     "changes to that, or to the defaults; raymarchctl list keys")
         ->type_name("KEY=VALUE,...")
         ->excludes(registers);
     registers->excludes(line, preset, scene);
     line->excludes(preset, scene);
     preset->excludes(scene);
-    add_accelerator_option(command, options.accelerator, "which one");
-    command.add_option("--size", options.size, "of the picture (default: the accelerator's)")
+    add_accelerator_option(command, options.accelerator, "the accelerator that draws");
+    command.add_option("--size", options.size, "size of the picture (default: the accelerator's)")
         ->type_name("WxH");
     return *what;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "console/words.hpp"
 
+#include "console/names.hpp"
 #include "protocol/accelerators.hpp"
 
 #include <fmt/format.h>
@@ -45,11 +46,7 @@ Result<const protocol::Accelerator*> accelerator_named(const std::string& name)
 {
     if (const protocol::Accelerator* const found = protocol::find_accelerator(name))
         return found;
-    std::string names;
-    for (const protocol::Accelerator* accelerator : protocol::accelerators)
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", accelerator->name);
-    return fail(plain_error(ErrorKind::Usage,
-                            fmt::format("'{}' is no accelerator; there is {}", name, names)));
+    return fail(unknown_name("accelerator", name, accelerator_names()));
 }
 
 } // namespace raymarch::console

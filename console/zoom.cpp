@@ -5,6 +5,7 @@
 #include "console/drawing.hpp"
 #include "console/mandelbulb_reference.hpp"
 #include "console/picture_output.hpp"
+#include "console/progress.hpp"
 #include "console/subcommands.hpp"
 #include "console/view_options.hpp"
 #include "engine/draw.hpp"
@@ -16,10 +17,12 @@
 #include "protocol/reply.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sysexits.h>
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -132,6 +135,9 @@ Result<void> zoom(const ZoomOptions& options)
         return fail(whole.error());
 
     std::vector<pictures::SheetEntry> entries;
+    std::optional<Progress> progress;
+    if (!options.output.empty())
+        progress.emplace(static_cast<unsigned>(options.levels.size() * columns.size()), "pictures");
     for (const int level : options.levels) {
         const auto state = state_at(*whole, options, level);
         if (!state)
@@ -147,6 +153,7 @@ Result<void> zoom(const ZoomOptions& options)
             if (!image)
                 return fail(image.error());
             entries.push_back({std::move(*image), fmt::format("z={} {}", level, column.name)});
+            progress->show(static_cast<unsigned>(entries.size()));
         }
     }
     if (options.output.empty())
@@ -163,21 +170,30 @@ void add_zoom(CLI::App& app, Run& run)
         "zoom", "deep views of the mandelbulb at a point that a pixel shows: frames, or a sheet "
                 "of pictures by float, double and the accelerator's arithmetic");
     const auto options = std::make_shared<ZoomOptions>();
-    command->add_option("--preset", options->preset, "the view whose pixel is approached")
+    command
+        ->add_option(
+            "--preset", options->preset,
+            fmt::format("the preset of {} whose pixel is approached", table::description.name))
         ->type_name("NAME")
         ->capture_default_str();
-    command->add_option("--pixel", options->pixel, "of the view at 1280x720, from the top left")
+    command
+        ->add_option("--pixel", options->pixel,
+                     fmt::format("a pixel of that view at {}x{}, from the top left (default: {})",
+                                 table::description.size.width, table::description.size.height,
+                                 fmt::join(options->pixel, ",")))
         ->type_name("X,Y")
         ->delimiter(',')
         ->expected(2);
     command
-        ->add_option("--levels", options->levels,
-                     "zoom levels: at level Z neighbouring rays of a picture of 720 rows are 2^-Z "
-                     "apart at the surface; default 12,21,26")
+        ->add_option(
+            "--levels", options->levels,
+            fmt::format("zoom levels: at level Z neighbouring rays of a picture of {} rows are "
+                        "2^-Z apart at the surface (default: {})",
+                        table::description.size.height, fmt::join(options->levels, ",")))
         ->type_name("Z,...")
         ->delimiter(',')
         ->check(CLI::Range(min_zoom, max_zoom));
-    command->add_option("--size", options->size, "of each picture")
+    command->add_option("--size", options->size, "size of each picture")
         ->type_name("WxH")
         ->capture_default_str();
     add_threads_option(*command, options->threads);

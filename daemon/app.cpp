@@ -86,7 +86,8 @@ Result<void> App::run()
     if (loop_.feed_watchdog())
         log::info("the watchdog is fed from the event loop");
     sd_notify(0, "READY=1");
-    log::notice("ready: {}", config_.accelerator->name);
+    log::notice("ready: {}; registers: {}; {}", controller_.accelerator().name, hardware_.place(),
+                hosts_->places());
 
     auto result = loop_.run();
     sd_notify(0, "STOPPING=1");

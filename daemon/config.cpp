@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/config.hpp"
 
+#include "base/nearest.hpp"
 #include "daemon/actions.hpp"
 #include "daemon/config_text.hpp"
 #include "daemon/movement.hpp"
@@ -11,6 +12,7 @@
 #include "protocol/picture_size.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
@@ -18,6 +20,7 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <vector>
 
 namespace raymarch::daemon
 {
@@ -183,10 +186,11 @@ Result<void> set_accelerator(Config& config, std::string_view text)
 {
     config.accelerator = protocol::find_accelerator(text);
     if (config.accelerator == nullptr) {
-        std::string names;
+        std::vector<std::string_view> names;
         for (const protocol::Accelerator* accelerator : protocol::accelerators)
-            names += (names.empty() ? "" : ", ") + std::string(accelerator->name);
-        return fail(refuse(text, "an accelerator: " + names));
+            names.push_back(accelerator->name);
+        return fail(refuse(text, fmt::format("an accelerator: {}{}", fmt::join(names, ", "),
+                                             did_you_mean(text, names))));
     }
     return {};
 }
@@ -299,13 +303,22 @@ const char* unfit(const toml::node& node) noexcept
 
 using Apply = Result<void> (*)(Config&, std::string_view, std::string_view);
 
+Error no_setting(std::string_view name)
+{
+    std::vector<std::string_view> names;
+    for (const Setting& setting : settings_table)
+        names.push_back(setting.name);
+    return plain_error(ErrorKind::Config,
+                       fmt::format("there is no setting '{}'{}", name, did_you_mean(name, names)));
+}
+
 /// One entry at the top of the file whose value is not for a setting.
 Result<void> refuse_value(std::string_view name, const toml::node& node)
 {
     const bool known =
         std::ranges::find(settings_table, name, &Setting::name) != settings_table.end();
     if (!known && !node.is_table())
-        return fail(plain_error(ErrorKind::Config, fmt::format("there is no setting '{}'", name)));
+        return fail(no_setting(name));
     if (!node.is_table())
         return fail(plain_error(
             ErrorKind::Config, fmt::format("{} takes a string, a whole number or a boolean, not {}",
@@ -351,6 +364,36 @@ std::span<const Setting> settings() noexcept
     return settings_table;
 }
 
+std::string to_text(const RegistersWhere& where)
+{
+    struct Writer
+    {
+        std::string operator()(const AutoRegisters&) const { return "auto"; }
+        std::string operator()(const UioNode& uio) const { return "uio:" + uio.path; }
+        std::string operator()(const UioName& uio) const { return "uio-name:" + uio.name; }
+        std::string operator()(const RegisterFile& file) const { return "file:" + file.path; }
+        std::string operator()(const EmulatedRegisters&) const { return "emulated"; }
+    };
+    return std::visit(Writer{}, where);
+}
+
+std::string to_text(const SerialWhere& where)
+{
+    struct Writer
+    {
+        std::string operator()(const NoSerial&) const { return "none"; }
+        std::string operator()(const SerialDevice& device) const
+        {
+            return fmt::format("{}@{}", device.path, device.baud);
+        }
+        std::string operator()(const PseudoTerminalLink& terminal) const
+        {
+            return "pty:" + terminal.link;
+        }
+    };
+    return std::visit(Writer{}, where);
+}
+
 Config default_config()
 {
     Config config;
@@ -371,15 +414,15 @@ Result<void> set(Config& config, std::string_view name, std::string_view text)
             result.error().message = fmt::format("{}: {}", name, result.error().message);
         return result;
     }
-    return fail(plain_error(ErrorKind::Config, fmt::format("there is no setting '{}'", name)));
+    return fail(no_setting(name));
 }
 
 Result<void> set_line(Config& config, std::string_view action, std::string_view text)
 {
-    std::string names;
+    std::vector<std::string_view> names;
     for (std::size_t i = 0; i < actions().size(); ++i) {
         const Action& row = actions()[i];
-        names += (names.empty() ? "" : ", ") + std::string(row.name);
+        names.push_back(row.name);
         if (row.name != action)
             continue;
         const auto spec = drivers::parse_line_spec(text);
@@ -395,8 +438,10 @@ Result<void> set_line(Config& config, std::string_view action, std::string_view 
         config.gpio.lines[i] = text == "none" ? std::nullopt : spec;
         return {};
     }
-    return fail(plain_error(ErrorKind::Config, fmt::format("{}: unknown action '{}'; there are {}",
-                                                           lines_table, action, names)));
+    return fail(
+        plain_error(ErrorKind::Config,
+                    fmt::format("{}: unknown action '{}'; there are {}{}", lines_table, action,
+                                fmt::join(names, ", "), did_you_mean(action, names))));
 }
 
 namespace

@@ -97,6 +97,10 @@ struct Setting
 };
 [[nodiscard]] std::span<const Setting> settings() noexcept;
 
+/// As the settings `registers` and `serial` are written.
+[[nodiscard]] std::string to_text(const RegistersWhere& where);
+[[nodiscard]] std::string to_text(const SerialWhere& where);
+
 /// All defaults.
 [[nodiscard]] Config default_config();
 

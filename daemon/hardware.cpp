@@ -252,6 +252,17 @@ bool Hardware::found(const Result<void>& opened)
     return true;
 }
 
+std::string Hardware::place() const
+{
+    if (!path_)
+        return to_text(config_.registers) + " (not there yet)";
+    if (emulated_ != nullptr)
+        return to_text(EmulatedRegisters{});
+    if (std::holds_alternative<RegisterFile>(config_.registers))
+        return to_text(config_.registers);
+    return to_text(UioNode{place_});
+}
+
 void Hardware::drop_bus()
 {
     watch_.reset();

@@ -46,6 +46,9 @@ class Hardware final : public Board
     [[nodiscard]] Applied apply(const protocol::Words& words) override;
     [[nodiscard]] bool use(const protocol::Accelerator& accelerator) override;
 
+    /// Where the block is, in the notation of the setting `registers`, and whether it is there.
+    [[nodiscard]] std::string place() const;
+
     /// Ends what is being drawn, as EmulatedBlock::end_drawing().
     [[nodiscard]] bool end_drawing(std::chrono::milliseconds patience)
     {

@@ -304,6 +304,16 @@ void Hosts::mend_link()
     watch_link_ = watch_place(std::get<PseudoTerminalLink>(config_.serial).link);
 }
 
+std::string Hosts::places() const
+{
+    const auto place = [](const std::string& name, bool there) {
+        return name + (there ? "" : " (not there yet)");
+    };
+    const bool no_serial = std::holds_alternative<NoSerial>(config_.serial);
+    return "serial: " + place(to_text(config_.serial), no_serial || serial_) + "; control: " +
+           (config_.control.empty() ? "none" : place(config_.control, listener_.has_value()));
+}
+
 void Hosts::resume()
 {
     for (Endpoint& client : clients_)

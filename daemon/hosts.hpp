@@ -33,6 +33,9 @@ class Hosts
     void open_serial();
     void open_control();
 
+    /// `serial: …; control: …`: where hosts are listened to, and whether that is there.
+    [[nodiscard]] std::string places() const;
+
     /// Whoever waits for a disk looks whether it is done.
     void resume();
 

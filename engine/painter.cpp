@@ -101,17 +101,20 @@ void Painter::share(unsigned parts, const std::function<void(unsigned)>& work)
     inside_ &= ~shut;
     ++round_;
     round_.notify_all();
-    take_parts();
+    take_parts(listener_);
     inside_ |= shut;
     for (unsigned inside = inside_; inside != shut; inside = inside_)
         wait_for_change(inside_, inside);
 }
 
 /// Parts differ in cost, so each thread takes the next one that is free.
-void Painter::take_parts()
+void Painter::take_parts(const Listener& listener)
 {
-    for (unsigned part = next_++; part < parts_; part = next_++)
+    for (unsigned part = next_++; part < parts_; part = next_++) {
         (*work_)(part);
+        if (listener)
+            listener(std::min<unsigned>(next_, parts_), parts_);
+    }
 }
 
 void Painter::help()
@@ -122,7 +125,7 @@ void Painter::help()
         if (closing_)
             return;
         if ((inside_++ & shut) == 0)
-            take_parts();
+            take_parts({});
         if (--inside_ == shut)
             inside_.notify_one();
     }

@@ -10,6 +10,7 @@
 #include <functional>
 #include <stop_token>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace raymarch::engine
@@ -44,14 +45,20 @@ class Painter
     void draw(const Drawing& drawing, const Region& region, const Canvas& canvas,
               const std::stop_token& stop = {});
 
+    /// Hears, on the thread that draws, how many of the parts of a picture have been taken, each
+    /// time that this thread has done one.
+    using Listener = std::function<void(unsigned taken, unsigned parts)>;
+    void listen(Listener listener) { listener_ = std::move(listener); }
+
   private:
     static constexpr unsigned shut = 1U << 31;
 
     /// Calls work(0) to work(parts - 1), each once, from all threads that are awake in time.
     void share(unsigned parts, const std::function<void(unsigned)>& work);
-    void take_parts();
+    void take_parts(const Listener& listener);
     void help();
 
+    Listener listener_;
     std::vector<PixelCost> unwanted_; ///< costs of the reference that nobody asked for
 
     // One job: set before it is opened, kept until it is shut and no helper is in it.

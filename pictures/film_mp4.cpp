@@ -55,8 +55,10 @@ Result<std::unique_ptr<FilmWriter>> open_mp4(const std::string& path, engine::Pi
     if (function == nullptr)
         return fail(plain_error(ErrorKind::Unavailable,
                                 path + ": writing .mp4 needs the module " + video_module_file +
-                                    ", which is built where OpenCV's videoio is installed; .gif "
-                                    "and a sequence of .png pictures do without"));
+                                    ", which is not here: install libopencv-videoio-dev and build "
+                                    "again, with ./dev build; the package raymarchd-pictures has "
+                                    "the module where it was built so; .gif and a sequence of .png "
+                                    "pictures do without"));
     auto unfinished = UnfinishedFile::open(path);
     if (!unfinished)
         return fail(unfinished.error());

@@ -231,6 +231,7 @@ struct LineRefusalRow
 constexpr std::array line_refusals = {
     LineRefusalRow{"rest", "btn0",
                    "gpio_lines: unknown action 'rest'; there are reset, next_scene, "},
+    LineRefusalRow{"rest", "btn0", "; did you mean 'reset'?"},
     LineRefusalRow{"", "btn0", "unknown action ''"},
     LineRefusalRow{"reset", "", "gpio_lines.reset: '' is not none or NAME or CHIP:OFFSET"},
     LineRefusalRow{"reset", "btn0,loud", "'btn0,loud' is not none or NAME or CHIP:OFFSET"},
@@ -248,6 +249,22 @@ TEST(Config, EveryRefusalOfALineNamesWhatIsAllowed)
         EXPECT_NE(result.error().message.find(row.message), std::string::npos)
             << result.error().message;
     }
+}
+
+TEST(Config, PlacesAreWrittenAsTheyAreSet)
+{
+    Config config = default_config();
+    for (const std::string_view text :
+         {"auto", "uio:/dev/uio3", "uio-name:raymarch", "file:a/b c", "emulated"}) {
+        ASSERT_TRUE(set(config, "registers", text)) << text;
+        EXPECT_EQ(to_text(config.registers), text);
+    }
+    for (const std::string_view text : {"none", "pty:a/b c", "/dev/ttyPS0@9600"}) {
+        ASSERT_TRUE(set(config, "serial", text)) << text;
+        EXPECT_EQ(to_text(config.serial), text);
+    }
+    ASSERT_TRUE(set(config, "serial", "/dev/ttyPS0"));
+    EXPECT_EQ(to_text(config.serial), "/dev/ttyPS0@115200");
 }
 
 TEST(Config, ALineHasOneAction)
@@ -387,6 +404,9 @@ TEST_F(ConfigFile, AValueThatNoSettingTakesIsNamed)
     expect_error("state = 07:32:00\n", 1, "not a date or a time");
     expect_error("colour = [1]\n", 1, "there is no setting 'colour'");
     expect_error("colour = 1.5\n", 1, "there is no setting 'colour'");
+    expect_error("basis_chek = \"off\"\n", 1,
+                 "there is no setting 'basis_chek'; did you mean 'basis_check'?");
+    expect_error("contrl = [1]\n", 1, "there is no setting 'contrl'; did you mean 'control'?");
     expect_error("[[colour]]\nx = 1\n", 1, "there is no setting 'colour'");
     expect_error("[gpio_lines]\nreset = 1.5\n", 2, "gpio_lines.reset takes a string");
     expect_error("[gpio_lines]\nbuzzer = [1]\n", 2, "unknown action 'buzzer'");

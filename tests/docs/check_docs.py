@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Holds the documents to the programs: options, settings, links and the verbs of ./dev.
+"""Holds the documents to the programs: options, synopses, settings, links and the verbs of ./dev.
 
 Usage: check_docs.py --build DIR, the folder of raymarchd and raymarchctl.
 """
@@ -62,6 +62,45 @@ def subcommand_names(help_text: str) -> list[str]:
     return re.findall(r"^  ([a-z]+) ", help_text.partition("Subcommands:")[2], re.MULTILINE)
 
 
+def synopses(text: str) -> dict[str, list[str]]:
+    """The lines of a page's SYNOPSIS by subcommand, as a reader sees them; each should have one."""
+    part = text.split(".SH SYNOPSIS\n")[1].split(".SH ")[0]
+    found: dict[str, list[str]] = {}
+    entry = r"^\.B raymarchctl (\w+)\n(.*?)(?=^\.br|\Z)"
+    for name, rest in re.findall(entry, part, re.MULTILINE | re.DOTALL):
+        words = re.sub(r"^\.[A-Z]+ ", "", rest, flags=re.MULTILINE).replace("\\|", "").split()
+        found.setdefault(name, []).append(" ".join(words))
+    return found
+
+
+def check_synopsis(line: str, help_text: str, common: set[str]) -> list[str]:
+    """What is wrong with one subcommand's line, by its --help; `common` are the endpoint's options."""
+    named = set(re.findall(r"(?<![\w-])--?[a-zA-Z][a-z-]*", line))
+    found = [f"there is no {name}" for name in sorted(named)
+             if not re.search(rf"^ +(-\w,)?{name}\b", help_text, re.MULTILINE)]
+    rest = option_names(help_text) - {"--help"} - named
+    if "ENDPOINT" in line:
+        rest -= common
+    for names in re.findall(r"^ +((?:-\w,)?--[a-z-]+) .*REQUIRED", help_text, re.MULTILINE):
+        rest -= set(names.split(","))
+        if not re.search(rf"(?<!\[ )(?:{names.replace(',', '|')}) [A-Z]", line):
+            found.append(f"{names} is required")
+    if rest and not re.search(r"\[ OPTION\b", line):
+        found.append(f"OPTION stands for {', '.join(sorted(rest))}")
+
+    usage = re.search(r"^Usage: raymarchctl \w+ \[OPTIONS\](.*)$", help_text, re.MULTILINE)
+    for positional in usage[1].split() if usage else []:
+        name = positional.strip("[].")
+        if name == "SUBCOMMAND":
+            found += [f"{verb} is missing" for verb in subcommand_names(help_text)
+                      if not re.search(rf"\b{verb}\b", line)]
+        elif not re.search(rf"\b{name}\b", line):
+            found.append(f"{name} is missing")
+        elif positional.startswith("[") != bool(re.search(rf"\[ {name}\b", line)):
+            found.append(f"{name} is {'optional' if positional.startswith('[') else 'required'}")
+    return found
+
+
 def check_tool(build: Path) -> list[str]:
     """Options of raymarchctl and of its subcommands, each in the subcommand's own part of the page."""
     page = ROOT / "docs/man/raymarchctl.1"
@@ -74,8 +113,17 @@ def check_tool(build: Path) -> list[str]:
 
     found: list[str] = []
     printed = option_names(general)
+    lines = synopses(text)
+    found += [f"{page.name}: SYNOPSIS: there is no subcommand {name}"
+              for name in lines if name not in subcommands]
     for name in subcommands:
         help_text = run(program, name, "--help")
+        own = lines.get(name, [])
+        if len(own) != 1:
+            found.append(f"{page.name}: SYNOPSIS: {name} has {len(own)} lines of its own, not 1")
+        for line in own:
+            found += [f"{page.name}: SYNOPSIS of {name}: {fault}"
+                      for fault in check_synopsis(line, help_text, common)]
         options = option_names(help_text)
         for verb in subcommand_names(help_text):
             options |= option_names(run(program, name, verb, "--help"))

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace raymarch::engine
 {
 namespace
@@ -57,6 +60,31 @@ TEST(Painter, AStopLeavesTheRest)
     Image image(size);
     painter.draw({models[0], {}, &counting}, whole(size), {image.rgb}, stop.get_token());
     EXPECT_EQ(image.rgb, Image(size).rgb);
+}
+
+TEST(Painter, ItsListenerHearsHowFarThePictureIs)
+{
+    constexpr PictureSize size{3, 100}; // seven bands
+    for (const unsigned threads : {1U, 3U}) {
+        Painter painter(threads);
+        std::vector<unsigned> heard;
+        painter.listen([&](unsigned taken, unsigned parts) {
+            EXPECT_EQ(parts, 7U);
+            heard.push_back(taken);
+        });
+        Image image(size);
+        painter.draw({models[0], {}, &counting}, whole(size), {image.rgb});
+        EXPECT_TRUE(std::ranges::is_sorted(heard));
+        if (threads == 1) {
+            EXPECT_EQ(heard, (std::vector<unsigned>{1, 2, 3, 4, 5, 6, 7}));
+        }
+        for (const unsigned taken : heard)
+            EXPECT_TRUE(taken >= 1 && taken <= 7) << taken;
+        painter.listen({});
+        heard.clear();
+        painter.draw({models[0], {}, &counting}, whole(size), {image.rgb});
+        EXPECT_EQ(heard, std::vector<unsigned>());
+    }
 }
 
 TEST(Painter, WithoutWorkItEnds)

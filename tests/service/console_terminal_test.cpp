@@ -265,6 +265,57 @@ TEST(ConsoleOfAPipe, NoByteIsLost)
     }
 }
 
+TEST_F(ConsoleAtATerminal, QuitAndExitEndIt)
+{
+    for (const std::string word : {"quit", "exit", "QUIT", " Exit\t"}) {
+        Terminal terminal(options(), environment());
+        ASSERT_TRUE(terminal.shows("quit, exit or Ctrl-D ends.")) << terminal.shown();
+        ASSERT_TRUE(terminal.shows(prompt));
+        terminal.type(word + "\r");
+        EXPECT_EQ(terminal.wait(), EX_OK) << word;
+        EXPECT_TRUE(terminal.restored());
+        EXPECT_EQ(terminal.shown().find("ERR"), std::string::npos) << terminal.shown();
+    }
+    EXPECT_EQ(service.status("rejected"), "0");
+}
+
+TEST_F(ConsoleAtATerminal, AQuestionMarkIsHelp)
+{
+    Terminal terminal(options(), environment());
+    ASSERT_TRUE(terminal.shows("HELP or ? explains"));
+    ASSERT_TRUE(terminal.shows(prompt));
+    terminal.type("?\r");
+    EXPECT_TRUE(terminal.shows("# A frame is KEY=VALUE")) << terminal.shown();
+    EXPECT_TRUE(terminal.shows("# HELP with a command")) << terminal.shown();
+    // Other lines with these words are the service's.
+    for (const std::string line : {"quit now", "exits", "??", "? ZM", "exit=1"}) {
+        ASSERT_TRUE(terminal.shows(prompt));
+        terminal.type(line + "\r");
+        EXPECT_TRUE(terminal.shows("\nERR ")) << line << terminal.shown();
+    }
+    ASSERT_TRUE(terminal.shows(prompt));
+    terminal.type("\x04");
+    EXPECT_EQ(terminal.wait(), EX_OK);
+}
+
+TEST(ConsoleOfAPipe, ItsWordsAreTheServices)
+{
+    const TemporaryFolder folder;
+    const Service service(folder);
+    ASSERT_TRUE(service.ready());
+    const Finished console =
+        run_tool(folder, {"console", "--socket", service.control()}, "quit\nexit\n?\nPING\n");
+    EXPECT_EQ(console.status, 1);
+    std::istringstream replies(console.output);
+    std::string reply;
+    for (int i = 0; i < 3; ++i) {
+        std::getline(replies, reply);
+        EXPECT_TRUE(reply.starts_with("ERR UNKNOWN_COMMAND col=1")) << reply;
+    }
+    std::getline(replies, reply);
+    EXPECT_EQ(reply, "OK");
+}
+
 TEST(ConsoleOfAPipe, BlankLinesAndCommentsHaveNoReplyAndTheLastLineMayHaveNoEnding)
 {
     const TemporaryFolder folder;

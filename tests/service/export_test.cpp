@@ -3,6 +3,7 @@
 /// raymarchctl export and receive, over capture files. Over a network: export_over_veth.py.
 #include "service/support.hpp"
 
+#include "protocol/accelerators.hpp"
 #include "protocol/picture_frames.hpp"
 #include "tests/fakes/temporary_folder.hpp"
 
@@ -278,6 +279,46 @@ TEST_F(Export, AViewIsExportedAsItIsRendered)
     }
 }
 
+/// `KEY=VALUE` that sets the accelerator's first parameter to its default.
+std::string some_setting(const protocol::Accelerator& accelerator)
+{
+    const protocol::Parameter& first = accelerator.parameters.front();
+    return std::string(first.key) + "=" + std::string(first.initial);
+}
+
+TEST_F(Export, EveryPresetCanBeChangedBySet)
+{
+    for (const protocol::Preset& preset : protocol::fractal::presets) {
+        const std::vector<std::string> view = {"--preset", std::string(preset.name), "--set",
+                                               "COLOUR=off"};
+        std::vector<std::string> arguments = {"export", "--pcap", capture};
+        arguments.insert(arguments.end(), view.begin(), view.end());
+        const Finished exported = run_tool(folder, arguments);
+        ASSERT_EQ(exported.status, EX_OK) << preset.name << exported.errors;
+        ASSERT_EQ(receive().status, EX_OK);
+        std::vector<std::string> render = {"render", "-o", "-", "--accelerator", "fractal"};
+        render.insert(render.end(), view.begin(), view.end());
+        EXPECT_TRUE(test::read_text(picture) == run_tool(folder, render).output) << preset.name;
+        std::filesystem::remove(capture);
+    }
+    // Of the others every preset is taken, too; the size decides before anything is drawn.
+    for (const protocol::Accelerator* accelerator : protocol::accelerators)
+        for (const protocol::Preset& preset : accelerator->presets) {
+            const Finished result = run_tool(
+                folder, {"export", "--pcap", capture, "--accelerator",
+                         std::string(accelerator->name), "--preset", std::string(preset.name),
+                         "--set", some_setting(*accelerator), "--size", "40x30"});
+            EXPECT_EQ(result.status, EX_DATAERR) << preset.name;
+            EXPECT_NE(result.errors.find("the picture is 40x30; what can be exported"),
+                      std::string::npos)
+                << preset.name << result.errors;
+        }
+    const Finished grey =
+        run_tool(folder, {"export", "--pcap", capture, "--accelerator", "sphere", "--preset",
+                          "trio", "--set", "TINT=grey,MODEL=rtl", "--size", "400x300"});
+    EXPECT_EQ(grey.status, EX_OK) << grey.errors;
+}
+
 TEST_F(Export, AViewThatTheFormatDoesNotHold)
 {
     const auto why = [this](std::vector<std::string> view, int status) {
@@ -293,9 +334,10 @@ TEST_F(Export, AViewThatTheFormatDoesNotHold)
               "raymarchctl: the picture is 640x480" + allowed);
     const std::string coloured = why({"--preset", "cube_side"}, EX_DATAERR);
     EXPECT_NE(coloured.find(", not grey" + allowed), std::string::npos) << coloured;
-    EXPECT_NE(
-        why({"--preset", "lattice"}, EX_USAGE).find("'lattice' is no preset; there are start"),
-        std::string::npos);
+    EXPECT_EQ(why({"--preset", "lattice"}, EX_USAGE),
+              "raymarchctl: 'lattice' is a preset of marcher, not of fractal\n");
+    EXPECT_NE(why({"--preset", "none"}, EX_USAGE).find("'none' is no preset; there are start"),
+              std::string::npos);
     EXPECT_NE(why({"--set", "HUE=256"}, EX_DATAERR).find("key=HUE"), std::string::npos);
 }
 
@@ -309,8 +351,18 @@ TEST_F(Export, WrongCommandLines)
     EXPECT_EQ(status({"export", "--input", input}), EX_USAGE);
     EXPECT_EQ(status({"export", "--pcap", capture}), EX_USAGE);
     EXPECT_EQ(status({"export", "--pcap", capture, "--accelerator", "fractal"}), EX_USAGE);
+    const std::vector<std::pair<std::string, std::string>> instead_of_a_preset = {
+        {"--scene", "cube"}, {"--line", "X=1"}, {"--registers", "0"}};
+    for (const auto& [option, value] : instead_of_a_preset) {
+        EXPECT_EQ(status({"export", "--pcap", capture, "--input", input, option, value}), EX_USAGE)
+            << option;
+        EXPECT_EQ(status({"export", "--pcap", capture, "--preset", "start", option, value}),
+                  EX_USAGE)
+            << option;
+    }
     EXPECT_EQ(status({"export", "--pcap", capture, "--input", input, "--preset", "start"}),
               EX_USAGE);
+    EXPECT_EQ(status({"export", "--pcap", capture, "--input", input, "--set", "HUE=1"}), EX_USAGE);
     EXPECT_EQ(status({"export", "--pcap", capture, "--input", input, "--size", "400x300"}),
               EX_USAGE);
     EXPECT_EQ(status({"export", "--pcap", capture, "--input", input, "--threads", "1"}), EX_USAGE);

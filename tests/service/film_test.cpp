@@ -260,6 +260,22 @@ TEST_F(Film, ProgressIsShownOnATerminalOnly)
     EXPECT_EQ(shown.find('\n'), std::string::npos);
 }
 
+TEST_F(Film, WithoutTheVideoModuleTheErrorSaysWhatToInstall)
+{
+    if (RAYMARCH_HAS_VIDEO)
+        GTEST_SKIP() << "the video module is built";
+    for (const protocol::Accelerator* accelerator : protocol::accelerators) {
+        const Finished result = film(accelerator->name, "f.mp4");
+        EXPECT_EQ(result.status, EX_UNAVAILABLE);
+        for (const std::string part :
+             {"f.mp4: writing .mp4 needs the module libraymarch_video.so",
+              "install libopencv-videoio-dev and build again, with ./dev build",
+              "the package raymarchd-pictures has the module where it was built so"})
+            EXPECT_NE(result.errors.find(part), std::string::npos) << result.errors;
+    }
+    EXPECT_EQ(names_in(films), NameSet{});
+}
+
 TEST_F(Film, WrongCommandLines)
 {
     const auto why = [this](const std::string& name, const Arguments& more) {

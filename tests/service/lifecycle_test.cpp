@@ -30,6 +30,31 @@ TEST(Lifecycle, StartsFromTheDefaultsAndWritesThem)
     EXPECT_EQ(std::filesystem::file_size(service.registers()), 4096U);
 }
 
+TEST(Lifecycle, ItSaysWhereItListensWhenItIsReady)
+{
+    const TemporaryFolder folder;
+    const auto says = [&](const std::vector<std::string>& options, const std::string& line) {
+        const Service service(folder, options);
+        EXPECT_TRUE(service.says("ready: ")) << line;
+        EXPECT_TRUE(service.says("ready: " + line + "\n")) << service.process.errors();
+        EXPECT_EQ(service.count("ready: "), 1U);
+    };
+    const std::string control = folder / "control";
+    const std::string tty = "pty:" + folder / "tty";
+    const std::string file = "file:" + folder / "registers";
+    says({}, "marcher; registers: " + file + "; serial: " + tty + "; control: " + control);
+    says({"--registers", "emulated", "--accelerator", "sphere", "--serial", "none"},
+         "sphere; registers: emulated; serial: none; control: " + control);
+    says({"--registers", "auto", "--sysfs-root", folder / "none", "--control", "none"},
+         "marcher; registers: emulated; serial: " + tty + "; control: none");
+    says({"--registers", "uio:" + folder / "uio9", "--serial", folder / "ttyX@9600"},
+         "marcher; registers: uio:" + folder / "uio9" + " (not there yet); serial: " +
+             folder / "ttyX@9600" + " (not there yet); control: " + control);
+    says({"--control", folder / "no/folder", "--serial", "none"},
+         "marcher; registers: " + file + "; serial: none; control: " + folder / "no/folder" +
+             " (not there yet)");
+}
+
 TEST(Lifecycle, TermEndsCleanly)
 {
     const TemporaryFolder folder;

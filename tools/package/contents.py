@@ -123,6 +123,11 @@ def package_faults(package: Path, folders: list[str], board: bool) -> list[str]:
     faults += [f"{file} is not expected" for file in files if file not in expected]
     # Every release names these otherwise.
     faults += [f"depends on {library}" for library in re.findall(r"libfmt\d+", depends)]
+    if name == "raymarchd-pictures":
+        has_video = any(file.endswith("/libraymarch_video.so") for file in files)
+        says_video = "and MP4 for" in field(package, "Description")
+        if has_video != says_video:
+            faults.append(f"its description {'says' if says_video else 'does not say'} that it writes MP4")
     if name == "raymarchd" and "opencv" in depends:
         faults.append("depends on OpenCV")
     if board:
