@@ -73,12 +73,12 @@ Error unknown_name(std::string_view kind, std::string_view name, const NamedThin
 {
     return plain_error(ErrorKind::Usage,
                        fmt::format("'{}' is no {}; there are {}{}", name, kind,
-                                   fmt::join(bare_names(known), ", "), did_you_mean(name, known)));
+                                   fmt::join(bare_names(known), ", "), meant_instead(name, known)));
 }
 
-std::string did_you_mean(std::string_view name, const NamedThings& known)
+std::string meant_instead(std::string_view name, const NamedThings& known)
 {
-    return raymarch::did_you_mean(name, bare_names(known));
+    return did_you_mean(name, bare_names(known));
 }
 
 } // namespace raymarch::console

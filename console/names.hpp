@@ -35,6 +35,6 @@ using NamedThings = std::vector<NamedThing>;
                                  const NamedThings& known);
 
 /// `; did you mean 'NAME'?` of the nearest name; else empty.
-[[nodiscard]] std::string did_you_mean(std::string_view name, const NamedThings& known);
+[[nodiscard]] std::string meant_instead(std::string_view name, const NamedThings& known);
 
 } // namespace raymarch::console

@@ -24,12 +24,12 @@ std::string meant(const protocol::Accelerator& accelerator, const protocol::Faul
                   std::string_view line)
 {
     if (fault.code == protocol::ErrorCode::UnknownKey)
-        return did_you_mean(fault.word, key_names(accelerator));
+        return meant_instead(fault.word, key_names(accelerator));
     if (fault.code != protocol::ErrorCode::Object || !fault.parameter || fault.column == 0)
         return {};
     const std::string_view value = line.substr(std::min(fault.column - 1, line.size()));
-    return did_you_mean(protocol::Text{value.substr(0, value.find(','))}.trimmed().bytes,
-                        choice_names(accelerator.parameters[*fault.parameter]));
+    return meant_instead(protocol::Text{value.substr(0, value.find(','))}.trimmed().bytes,
+                         choice_names(accelerator.parameters[*fault.parameter]));
 }
 
 /// The reply of the service, and what may have been meant.
