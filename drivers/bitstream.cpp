@@ -175,7 +175,7 @@ class Configuration
         const auto takes_more = [](std::uint32_t address) {
             return address == frame_data_register || address == multiple_frame_register;
         };
-        if ((header & 0xF800'0000) == write_2 && target && takes_more(*target))
+        if ((header & 0xF800'0000) == write_2 && takes_more(target.value_or(register_count)))
             return header & 0x07FF'FFFF;
         const std::uint32_t address = header >> 13 & 0x3FFF;
         const std::size_t count = header & 0x7FF;

@@ -23,14 +23,9 @@ namespace raymarch::daemon
 namespace
 {
 
+using test::head;
 using test::Service;
 namespace marcher = protocol::marcher;
-
-/// Up to the sentence.
-std::string head(const std::string& reply)
-{
-    return reply.substr(0, reply.find(" : "));
-}
 
 const std::string crooked = "SET FX=0.5\n"; // no longer of length 1
 

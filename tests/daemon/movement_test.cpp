@@ -21,12 +21,8 @@ namespace
 {
 
 using motion::Input;
+using test::head;
 using test::Service;
-
-std::string head(const std::string& reply)
-{
-    return reply.substr(0, reply.find(" : "));
-}
 
 struct StepsRow
 {

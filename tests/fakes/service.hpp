@@ -116,4 +116,10 @@ struct Service
     daemon::Session session{controller};
 };
 
+/// An ERR up to its sentence.
+inline std::string head(const std::string& reply)
+{
+    return reply.substr(0, reply.find(" : "));
+}
+
 } // namespace raymarch::test
