@@ -7,6 +7,8 @@ endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # Says only that a 32-bit ABI changed in gcc 7; nothing here crosses that border.
   add_compile_options(-Wno-psabi)
+  # gcc 12 says it of an optional and an expected that hold nothing, where it inlines enough of them.
+  add_compile_options(-Wno-maybe-uninitialized)
   # Designated initialisers name what differs from the defaults; the rest is meant.
   add_compile_options(-Wno-missing-field-initializers)
 else()
