@@ -53,6 +53,9 @@ class Terminal
         std::vector<std::string> variables = {"TERM=xterm"};
         for (const auto& [key, value] : environment)
             variables.push_back(key + "=" + value);
+        for (const char* const sanitizer : {"ASAN_OPTIONS", "LSAN_OPTIONS", "TSAN_OPTIONS"})
+            if (const char* const value = ::getenv(sanitizer); value != nullptr)
+                variables.push_back(std::string(sanitizer) + "=" + value);
         std::vector<char*> arguments;
         for (std::string& word : words)
             arguments.push_back(word.data());
