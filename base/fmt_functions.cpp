@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What libfmt.so would bring: fmt's functions, compiled from its headers, so that no program needs
-/// the library of one release.
+/// This file compiles fmt's functions from its headers. They stand in for libfmt.so, so that no
+/// program needs the library of one release.
 ///
 /// `format-inl.h` defines all of them but a few templates, which the other headers take to be
 /// elsewhere.

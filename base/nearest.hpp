@@ -3,6 +3,7 @@
 /// The known word that a mistyped one was meant to be.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>

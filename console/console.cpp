@@ -27,7 +27,8 @@ namespace
 
 constexpr const char* prompt = "raymarch> ";
 
-/// What a person may type beside the protocol's lines. A pipe's bytes go out as they came.
+/// A word that a person may type besides the protocol's lines. The console does not look for it in
+/// a pipe, whose bytes go out as they came.
 struct OwnWord
 {
     std::string_view word;

@@ -13,6 +13,8 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace raymarch::console
 {
@@ -105,13 +107,13 @@ void add_list(CLI::App& app, Run& run)
     CLI::App* const command = app.add_subcommand(
         "list", "the names of accelerators, presets, scenes and keys, with their meanings");
     const auto options = std::make_shared<ListOptions>();
-    std::string names;
+    std::vector<std::string_view> names;
     for (const ListRow& row : list_rows)
-        names += fmt::format("{}{}", names.empty() ? "" : "|", row.name);
+        names.push_back(row.name);
     command
         ->add_option("WHAT", options->what,
                      "the list to print; without it the accelerators, and what else there is")
-        ->type_name(names);
+        ->type_name(fmt::format("{}", fmt::join(names, "|")));
     add_accelerator_option(*command, options->accelerator, "the accelerator whose names they are");
     command->callback([options, &run] {
         run = [options] {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/standard_descriptors.hpp"
+#include "command_line/command_line.hpp"
 #include "console/subcommands.hpp"
-#include "console/wrong_words.hpp"
 
 #include <fmt/format.h>
 #include <sysexits.h>
@@ -20,14 +20,6 @@ int report(const Error& error)
 
 } // namespace raymarch::console
 
-namespace
-{
-
-/// Where the texts of --help begin. No option is one blank shorter: it would touch its text.
-constexpr std::size_t help_column = 34;
-
-} // namespace
-
 // Before its try blocks only a lack of memory throws. NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv)
 {
@@ -35,10 +27,9 @@ int main(int argc, char** argv)
     if (!raymarch::fill_standard_descriptors())
         return EX_OSERR;
     CLI::App app("raymarchctl: the tool beside raymarchd", "raymarchctl");
+    raymarch::prepare_command_line(app);
     app.set_version_flag("--version", "raymarchctl " RAYMARCH_VERSION);
     app.require_subcommand(1);
-    app.failure_message(console::explain);
-    app.get_formatter()->column_width(help_column);
     console::Run run;
     for (const auto add :
          {console::add_list, console::add_encode, console::add_decode, console::add_render,

@@ -23,9 +23,9 @@ using NamedThings = std::vector<NamedThing>;
 
 [[nodiscard]] NamedThings accelerator_names();
 [[nodiscard]] NamedThings preset_names(const protocol::Accelerator& accelerator);
-/// Of an accelerator without scenes none.
+/// Empty when the accelerator has no scenes.
 [[nodiscard]] NamedThings scene_names(const protocol::Accelerator& accelerator);
-/// Of a parameter that is a number none.
+/// Empty when the parameter is a number.
 [[nodiscard]] NamedThings choice_names(const protocol::Parameter& parameter);
 [[nodiscard]] NamedThings key_names(const protocol::Accelerator& accelerator);
 

@@ -3,9 +3,7 @@
 
 #include "base/nearest.hpp"
 #include "daemon/actions.hpp"
-#include "daemon/config_text.hpp"
 #include "daemon/movement.hpp"
-#include "drivers/atomic_file.hpp"
 #include "drivers/tty_name.hpp"
 #include "drivers/unix_socket.hpp"
 #include "protocol/accelerators.hpp"
@@ -13,9 +11,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
 
 #include <array>
 #include <charconv>
@@ -26,8 +21,6 @@ namespace raymarch::daemon
 {
 namespace
 {
-
-constexpr std::size_t largest_config_file = 65'536;
 
 Error refuse(std::string_view text, std::string_view allowed)
 {
@@ -266,43 +259,6 @@ constexpr std::array settings_table = {
 };
 // clang-format on
 
-/// A TOML value as the text that the command line would hold.
-std::optional<std::string> as_text(const toml::node& node)
-{
-    if (const auto text = node.value_exact<std::string>())
-        return *text;
-    if (const auto truth = node.value_exact<bool>())
-        return *truth ? "true" : "false";
-    if (const auto whole = node.value_exact<std::int64_t>())
-        return std::to_string(*whole);
-    return std::nullopt;
-}
-
-/// What a value is that no setting takes, for a message; nullptr where settings may take it.
-const char* unfit(const toml::node& node) noexcept
-{
-    switch (node.type()) {
-    case toml::node_type::table:
-        return "a table";
-    case toml::node_type::array:
-        return "an array";
-    case toml::node_type::floating_point:
-        return "a number with a fraction or an exponent";
-    case toml::node_type::date:
-    case toml::node_type::time:
-    case toml::node_type::date_time:
-        return "a date or a time";
-    case toml::node_type::none:
-    case toml::node_type::string:
-    case toml::node_type::integer:
-    case toml::node_type::boolean:
-        break;
-    }
-    return nullptr;
-}
-
-using Apply = Result<void> (*)(Config&, std::string_view, std::string_view);
-
 Error no_setting(std::string_view name)
 {
     std::vector<std::string_view> names;
@@ -310,51 +266,6 @@ Error no_setting(std::string_view name)
         names.push_back(setting.name);
     return plain_error(ErrorKind::Config,
                        fmt::format("there is no setting '{}'{}", name, did_you_mean(name, names)));
-}
-
-/// One entry at the top of the file whose value is not for a setting.
-Result<void> refuse_value(std::string_view name, const toml::node& node)
-{
-    const bool known =
-        std::ranges::find(settings_table, name, &Setting::name) != settings_table.end();
-    if (!known && !node.is_table())
-        return fail(no_setting(name));
-    if (!node.is_table())
-        return fail(plain_error(
-            ErrorKind::Config, fmt::format("{} takes a string, a whole number or a boolean, not {}",
-                                           name, unfit(node))));
-    return fail(
-        plain_error(ErrorKind::Config,
-                    fmt::format("there is no table [{}]{}; the only table is [{}]", name,
-                                known ? fmt::format(": {} is a setting, {} = VALUE", name, name)
-                                      : fmt::format(" and no setting '{}'", name),
-                                lines_table)));
-}
-
-/// One entry of the table of lines whose value is not for a line.
-Result<void> refuse_line(std::string_view action, const toml::node& node)
-{
-    Config unused;
-    unused.gpio.lines.resize(actions().size());
-    if (auto known = set_line(unused, action, "none"); !known)
-        return known;
-    return fail(plain_error(ErrorKind::Config, fmt::format("{}.{} takes a string, not {}",
-                                                           lines_table, action, unfit(node))));
-}
-
-using Refuse = Result<void> (*)(std::string_view, const toml::node&);
-
-/// One `key = value` of the file, given to `apply`, or to `refuse` where no setting takes such a
-/// value.
-Result<void> read_entry(const toml::key& key, const toml::node& node, const std::string& path,
-                        Config& config, Apply apply, Refuse refuse)
-{
-    const auto text = as_text(node);
-    auto result = text ? apply(config, key.str(), *text) : refuse(key.str(), node);
-    if (!result)
-        result.error().message =
-            fmt::format("{}:{}: {}", path, key.source().begin.line, result.error().message);
-    return result;
 }
 
 } // namespace
@@ -480,42 +391,6 @@ Result<void> validate(const Config& config)
             plain_error(ErrorKind::Config,
                         fmt::format("emulated_size: {} draws at most {}x{}",
                                     config.accelerator->name, largest.width, largest.height)));
-    return {};
-}
-
-Result<void> read_config_file(Config& config, const std::string& path)
-{
-    const auto content = drivers::read_file(path, largest_config_file);
-    if (!content)
-        return fail(plain_error(ErrorKind::Config, content.error().message));
-    return read_config_text(config, *content, path);
-}
-
-Result<void> read_config_text(Config& config, std::string_view text, const std::string& path)
-{
-    if (const auto fault = find_text_fault(text))
-        return fail(plain_error(ErrorKind::Config,
-                                fmt::format("{}:{}: {}", path, fault->line, fault->what)));
-    const toml::parse_result parsed = toml::parse(text, path);
-    if (!parsed)
-        return fail(plain_error(ErrorKind::Config,
-                                fmt::format("{}:{}: {}", path, parsed.error().source().begin.line,
-                                            parsed.error().description())));
-    for (const auto& [key, node] : parsed.table()) {
-        if (key.str() != lines_table) {
-            if (auto result = read_entry(key, node, path, config, set, refuse_value); !result)
-                return result;
-            continue;
-        }
-        if (!node.is_table())
-            return fail(plain_error(ErrorKind::Config, fmt::format("{}:{}: {} is a table, [{}]",
-                                                                   path, key.source().begin.line,
-                                                                   lines_table, lines_table)));
-        for (const auto& [action, line] : *node.as_table())
-            if (auto result = read_entry(action, line, path, config, set_line, refuse_line);
-                !result)
-                return result;
-    }
     return {};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/options.hpp"
 
-#include "base/nearest.hpp"
+#include "command_line/command_line.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -18,33 +18,11 @@ namespace raymarch::daemon
 namespace
 {
 
-/// Where the texts of --help begin. No option is one blank shorter: it would touch its text.
-constexpr std::size_t help_column = 34;
-
 std::string option_name(std::string_view setting)
 {
     std::string name(setting);
     std::ranges::replace(name, '_', '-');
     return "--" + name;
-}
-
-/// What is said of a command line that is not understood: of an option that there is not, the
-/// nearest one.
-std::string explain(const CLI::App* app, const CLI::Error& error)
-{
-    std::vector<std::string_view> names;
-    for (const CLI::Option* option : app->get_options())
-        names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
-    for (const std::string& left : app->remaining()) {
-        const std::string_view word = std::string_view(left).substr(0, left.find('='));
-        if (!word.starts_with('-'))
-            continue;
-        const auto meant =
-            nearest(word.substr(std::min(word.find_first_not_of('-'), word.size())), names);
-        return fmt::format("raymarchd: there is no option {}{}\nRun raymarchd --help for a list.\n",
-                           word, meant ? fmt::format("; did you mean '--{}'?", *meant) : "");
-    }
-    return CLI::FailureMessage::simple(app, error);
 }
 
 } // namespace
@@ -53,7 +31,7 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
 {
     Options options;
     CLI::App app("raymarchd: drives a ray-marching accelerator from a serial host", "raymarchd");
-    app.get_formatter()->column_width(help_column);
+    prepare_command_line(app);
     app.set_version_flag("--version", "raymarchd " RAYMARCH_VERSION);
     app.add_option(
            "--config", options.config_path,
@@ -68,7 +46,6 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
                        fmt::format("{} (default: {})", setting.meaning, setting.initial))
             ->type_name(std::string(setting.value));
     }
-    app.failure_message(explain);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -12,6 +12,8 @@
 #include "drivers/line_spec.hpp"
 #include "drivers/ports.hpp"
 
+#include <poll.h>
+
 #include <cerrno>
 #include <exception>
 #include <memory>
@@ -36,6 +38,13 @@ inline constexpr const char* gpio_consumer = "raymarchd";
 [[nodiscard]] std::unique_ptr<Pin> request_line(const std::string& chip, unsigned offset,
                                                 const LineSpec& spec, LineUse use,
                                                 const std::string& name);
+
+/// Whether an edge can be taken without waiting; false for a line without edges, whose fd is -1.
+[[nodiscard]] inline bool edge_waits(int edge_fd) noexcept
+{
+    pollfd waiting = {.fd = edge_fd, .events = POLLIN, .revents = 0};
+    return edge_fd >= 0 && ::poll(&waiting, 1, 0) > 0;
+}
 
 /// Whether the kernel refused edges because the line has no interrupt: such a line is polled.
 [[nodiscard]] inline bool has_no_interrupt(const std::system_error& error) noexcept

@@ -4,7 +4,6 @@
 #include "drivers/gpio_chip.hpp"
 
 #include <gpiod.hpp>
-#include <poll.h>
 
 #include <bitset>
 #include <utility>
@@ -59,8 +58,7 @@ class GpioLine final : public Pin
 
     [[nodiscard]] Result<std::optional<Edge>> take_edge() override
     {
-        pollfd waiting = {.fd = edge_fd_, .events = POLLIN, .revents = 0};
-        if (edge_fd_ < 0 || ::poll(&waiting, 1, 0) <= 0) // reading would wait
+        if (!edge_waits(edge_fd_))
             return std::optional<Edge>();
         return guarded(ErrorKind::InputOutput, name_, [&] {
             const gpiod::line_event event = line_.event_read();

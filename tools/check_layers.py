@@ -12,6 +12,7 @@ from pathlib import Path
 # folder -> folders whose headers it may include besides its own
 LAYERS: dict[str, set[str]] = {
     "base": set(),
+    "command_line": {"base"},
     "protocol": {"base"},
     "drivers": {"base"},
     "engine": {"base", "protocol"},
@@ -19,8 +20,8 @@ LAYERS: dict[str, set[str]] = {
     "pictures": {"base", "engine"},
     "emulation": {"base", "drivers", "engine", "protocol"},
     "conformance": {"base", "protocol"},
-    "daemon": {"base", "drivers", "emulation", "engine", "motion", "pictures", "protocol"},
-    "console": {"base", "conformance", "drivers", "engine", "motion", "pictures", "protocol"},
+    "daemon": {"base", "command_line", "drivers", "emulation", "engine", "motion", "pictures", "protocol"},
+    "console": {"base", "command_line", "conformance", "drivers", "engine", "motion", "pictures", "protocol"},
     "tools": {"base", "daemon", "drivers", "emulation", "engine", "pictures", "protocol"},
 }
 
@@ -33,7 +34,7 @@ RESTRICTED: dict[str, set[str]] = {
     "gpiod": {"drivers"},
     "opencv2/": {"pictures"},
     "png.h": {"pictures"},
-    "CLI/": {"daemon", "console", "tools"},
+    "CLI/": {"command_line", "daemon", "console", "tools"},
     "thread": {"base", "engine", "emulation", "daemon", "console"},
 }
 

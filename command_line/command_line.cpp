@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "console/wrong_words.hpp"
+#include "command_line/command_line.hpp"
 
 #include "base/nearest.hpp"
 
@@ -7,14 +7,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
-namespace raymarch::console
+namespace raymarch
 {
 namespace
 {
+
+/// Where the texts of --help begin. No option is one blank shorter: it would touch its text.
+constexpr std::size_t help_column = 34;
 
 /// `raymarchctl overlay load`: how the subcommand is called.
 std::string called(const CLI::App& app)
@@ -60,7 +65,7 @@ std::string unknown_subcommand(const CLI::App& app, std::string_view word)
         word, fmt::join(names, ", "), did_you_mean(word, names));
 }
 
-/// Of the words that `app` could not place, the first that says what is wrong.
+/// Returns what is wrong with the first word that is no option, or no subcommand, of `app`.
 std::optional<std::string> unknown_word(const CLI::App& app)
 {
     const bool wants_subcommand = !children(app, false).empty() && app.get_subcommands().empty();
@@ -72,8 +77,6 @@ std::optional<std::string> unknown_word(const CLI::App& app)
     }
     return std::nullopt;
 }
-
-} // namespace
 
 std::string explain(const CLI::App* app, const CLI::Error& error)
 {
@@ -89,4 +92,12 @@ std::string explain(const CLI::App* app, const CLI::Error& error)
     return CLI::FailureMessage::simple(app, error);
 }
 
-} // namespace raymarch::console
+} // namespace
+
+void prepare_command_line(CLI::App& app)
+{
+    app.failure_message(explain);
+    app.get_formatter()->column_width(help_column);
+}
+
+} // namespace raymarch
