@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Makes the packages of a build folder, looks at what is in them, and tries their life in a fresh
-# Debian: install, upgrade, remove, purge.
+# root of the release that they were built on: install, upgrade, remove, purge.
 #
 #   clean_root.sh BUILD CPACK       CPACK is CMake's
 #
@@ -11,7 +11,8 @@ here=$(cd "$(dirname "$0")" && pwd)
 source=$(cd "$here/../.." && pwd)
 build=$1
 cpack=$2
-for tool in mmdebstrap dpkg-shlibdeps dpkg-deb file; do
+release=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
+for tool in mmdebstrap mount dpkg-shlibdeps dpkg-deb file; do
     command -v "$tool" >/dev/null || {
         echo "skipped: there is no $tool here"
         exit 77
@@ -34,7 +35,7 @@ chmod 755 "$work" # mmdebstrap may be another user inside
 service=$(ls "$work"/made/raymarchd_*.deb)
 # What Debian 12 makes runs on Ubuntu 22.04, too; what a newer Debian makes may need more.
 like_the_board=
-! grep -q '^VERSION_CODENAME=bookworm$' /etc/os-release || like_the_board=--board
+[ "$release" != bookworm ] || like_the_board=--board
 python3 "$source/tools/package/contents.py" --made-in "$source" --made-in "$build" $like_the_board \
     "$work"/made/*.deb
 # The tool finds the modules of the other package; here, where OpenCV is.
@@ -57,7 +58,7 @@ mmdebstrap --variant=apt --include=systemd,udev --aptopt='APT::Install-Recommend
     --dpkgopt=force-unsafe-io \
     --customize-hook="copy-in $work/packages /root" \
     --customize-hook='chroot "$1" sh /root/packages/life.sh' \
-    bookworm /dev/null "$mirror" >"$work/log" 2>&1 || {
+    "$release" /dev/null "$mirror" >"$work/log" 2>&1 || {
     tail -n 60 "$work/log"
     exit 1
 }
