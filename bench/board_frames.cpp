@@ -7,6 +7,7 @@
 /// First each frame of frames.txt, whose words it prints as the registers hold them; then COUNT
 /// frames more, in turns, and prints nothing. A frame comes in pieces of at most BYTES.
 /// board_frames.py does the same in Python.
+#include "base/unique_fd.hpp"
 #include "bench/bench_frames.hpp"
 #include "daemon/config.hpp"
 #include "daemon/controller.hpp"
@@ -14,7 +15,6 @@
 #include "daemon/hardware.hpp"
 #include "daemon/session.hpp"
 #include "daemon/state_file.hpp"
-#include "drivers/mapped_window.hpp"
 #include "protocol/accelerators.hpp"
 #include "protocol/registers.hpp"
 #include "protocol/reply.hpp"
@@ -34,6 +34,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace
 {
@@ -58,18 +59,16 @@ Integer number(const std::string& text)
     return value;
 }
 
-/// A register page that has a name as long as this lives.
+/// A file of one register page, with a name for as long as this lives. The service maps it, and is
+/// the only one that may.
 struct RegisterPage
 {
     std::string path = (std::filesystem::temp_directory_path() / "board-frames-XXXXXX").string();
-    std::unique_ptr<drivers::MappedWindow> window;
+    UniqueFd fd = UniqueFd(::mkstemp(path.data()));
     RegisterPage()
     {
-        const UniqueFd fd(::mkstemp(path.data()));
-        auto opened = drivers::MappedWindow::open_file(path, protocol::register_page_bytes);
-        if (!fd || !opened)
+        if (!fd || ::ftruncate(fd.get(), protocol::register_page_bytes) != 0)
             give_up("no register page at " + path);
-        window = std::move(*opened);
     }
     RegisterPage(const RegisterPage&) = delete;
     RegisterPage& operator=(const RegisterPage&) = delete;
@@ -143,12 +142,15 @@ class Service
     std::size_t chunk_;
 };
 
-void print_words(drivers::RegisterBus& page, const protocol::Accelerator& accelerator)
+void print_words(const RegisterPage& page, const protocol::Accelerator& accelerator)
 {
-    for (std::size_t i = 0; i < accelerator.word_count; ++i)
-        fmt::print("{:08X}{}",
-                   page.read({static_cast<std::uint16_t>(accelerator.first_word_offset + 4 * i)}),
-                   i + 1 < accelerator.word_count ? ' ' : '\n');
+    std::vector<std::uint32_t> words(accelerator.word_count);
+    const auto bytes = static_cast<ssize_t>(words.size() * sizeof words[0]);
+    if (::pread(page.fd.get(), words.data(), static_cast<std::size_t>(bytes),
+                accelerator.first_word_offset) != bytes)
+        give_up("the register page is too short");
+    for (std::size_t i = 0; i < words.size(); ++i)
+        fmt::print("{:08X}{}", words[i], i + 1 < words.size() ? ' ' : '\n');
 }
 
 } // namespace
@@ -172,7 +174,7 @@ int main(int argc, char** argv)
     Service service(*loop, page.path, chunk);
     for (const std::string& frame : frames) {
         service.take(frame);
-        print_words(*page.window, protocol::marcher::description);
+        print_words(page, protocol::marcher::description);
     }
     static_cast<void>(std::fflush(stdout));
     for (std::uint32_t i = 0; i < count; ++i)

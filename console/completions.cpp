@@ -47,7 +47,7 @@ std::vector<std::string> words_for(const protocol::Accelerator& active, std::str
     if (before.ends_with('=')) { // the value of a choice
         const std::size_t key_begin = before.find_last_of(" ,") + 1;
         const std::string_view key = before.substr(key_begin, before.size() - 1 - key_begin);
-        if (const auto index = protocol::find_parameter(active.parameters, key))
+        if (const auto index = protocol::find_parameter(active, key))
             for (const std::string_view choice : active.parameters[*index].choices)
                 words.emplace_back(choice);
         return words;

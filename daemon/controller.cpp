@@ -255,7 +255,7 @@ Controller::Outcome Controller::get(Text words)
         const Piece piece = take_until(rest, ',');
         more = piece.found;
         const Text key = piece.text.trimmed();
-        const auto index = find_parameter(accelerator_->parameters, key.bytes);
+        const auto index = find_parameter(*accelerator_, key.bytes);
         if (!index || given[*index]) {
             Fault fault = argument_fault(key, "GET takes the keys of parameters, each once");
             if (std::ranges::all_of(key.bytes, is_letter))

@@ -292,7 +292,8 @@ Applied Hardware::apply(const protocol::Words& words)
 /// What follows from the outcome of an update, asked for just now or brought later.
 void Hardware::settle(Applied applied)
 {
-    if (bus_ && bus_->lost()) {
+    // What was written was read back, and the block was there then.
+    if (applied != Applied::Written && bus_ && bus_->lost()) {
         close();
         return;
     }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace raymarch::daemon
 {
 namespace
@@ -91,10 +93,10 @@ Applied RegisterPath::apply(const protocol::Words& words)
         return Applied::Deferred;
     }
     deferred_.reset();
-    const std::optional<protocol::Words> before = held_;
     const std::size_t written = write_changed(words);
     if (!reads_back(words)) {
-        held_.reset(); // whatever they hold, the next update writes every word
+        // Whatever the registers hold, the next update writes every word.
+        const std::optional<protocol::Words> before = std::exchange(held_, std::nullopt);
         if (before)
             write_changed(*before);
         if (extended_)

@@ -5,7 +5,6 @@
 #include "protocol/quantizer.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 namespace raymarch::protocol
 {
@@ -40,27 +39,47 @@ std::size_t choose_plain(const Parameter& parameter, std::string_view text,
     return 0;
 }
 
-/// Pairs as hosts mostly write them: the key in upper case, no blanks, a plain number that is in
-/// range, or a name, and a comma or the end. Takes them off the front of `rest` for as long as they
-/// come; the first other pair is left to be read by the rules, fault by fault. True when the text
+/// Whether `bytes` begin with `key` and an equals sign. Not starts_with(): for so few bytes, a call
+/// of the C library costs more than they do.
+bool begins_with_key(std::string_view bytes, std::string_view key) noexcept
+{
+    if (key.empty() || bytes.size() <= key.size() || bytes[key.size()] != '=')
+        return false;
+    for (std::size_t i = 0; i < key.size(); ++i)
+        if (bytes[i] != key[i])
+            return false;
+    return true;
+}
+
+/// The parameter whose key stands at the front of `bytes`, or the size of the table.
+std::size_t plain_key(const Accelerator& accelerator, std::string_view bytes,
+                      std::size_t guess) noexcept
+{
+    const std::span<const Parameter> table = accelerator.parameters;
+    if (guess < table.size() && begins_with_key(bytes, table[guess].key))
+        return guess;
+    std::size_t length = 0;
+    while (length < bytes.size() && bytes[length] > '=') // so are letters
+        ++length;
+    const auto found = accelerator.keys.find(table, bytes.substr(0, length));
+    return found && begins_with_key(bytes, table[*found].key) ? *found : table.size();
+}
+
+/// The fast path: pairs as hosts mostly write them, which are a key in upper case, a plain number
+/// in range or the name of a choice, and no blanks. It takes such pairs off the front of `rest`;
+/// the first other pair is left to be read by the rules, fault by fault. Returns whether the text
 /// ended with a pair.
-bool take_plain_pairs(std::span<const Parameter> table, Text& rest, State& state,
-                      ParameterSet& given, std::size_t& guess) noexcept
+bool take_plain_pairs(const Accelerator& accelerator, Text& rest, State& state, ParameterSet& given,
+                      std::size_t& guess) noexcept
 {
     std::string_view bytes = rest.bytes;
-    std::uint64_t front = 0;
-    while (bytes.size() >= sizeof front) {
-        std::memcpy(&front, bytes.data(), sizeof front);
-        std::size_t index = guess;
-        if (index >= table.size() || !table[index].front.matches(front))
-            for (index = 0; index < table.size(); ++index)
-                if (table[index].front.matches(front))
-                    break;
-        if (index == table.size() || given[index])
+    while (!bytes.empty()) {
+        const std::size_t index = plain_key(accelerator, bytes, guess);
+        if (index == accelerator.parameters.size() || given[index])
             break;
-        const Parameter& parameter = table[index];
+        const Parameter& parameter = accelerator.parameters[index];
         std::string_view value = bytes;
-        value.remove_prefix(parameter.front.length);
+        value.remove_prefix(parameter.key.size() + 1);
         std::int64_t code = 0;
         const std::size_t length = parameter.is_choice() ? choose_plain(parameter, value, code)
                                                          : quantize_plain(parameter, value, code);
@@ -98,7 +117,7 @@ std::optional<Fault> read_assignments(const Accelerator& accelerator, Text text,
     Text rest = text.trimmed();
     std::size_t guess = 0;
     for (bool more = true; more;) {
-        if (take_plain_pairs(accelerator.parameters, rest, state, given, guess))
+        if (take_plain_pairs(accelerator, rest, state, given, guess))
             return std::nullopt;
         const Piece pair = take_until(rest, ',');
         more = pair.found;
@@ -109,7 +128,7 @@ std::optional<Fault> read_assignments(const Accelerator& accelerator, Text text,
 
         if (!before_equals.found || !is_key(accelerator, key.bytes))
             return Fault{.code = ErrorCode::Syntax, .column = key.column};
-        const auto index = find_parameter(accelerator.parameters, key.bytes, guess);
+        const auto index = find_parameter(accelerator, key.bytes, guess);
         if (!index)
             return Fault{.code = ErrorCode::UnknownKey, .column = key.column, .word = key.bytes};
         if (given[*index])
@@ -127,8 +146,7 @@ std::optional<Fault> read_assignments(const Accelerator& accelerator, Text text,
     return std::nullopt;
 }
 
-std::optional<Fault> read_frame_by_pairs(const Accelerator& accelerator, Text text,
-                                         State& state) noexcept
+std::optional<Fault> read_frame(const Accelerator& accelerator, Text text, State& state) noexcept
 {
     ParameterSet given;
     if (auto fault = read_assignments(accelerator, text, state, given))
@@ -144,10 +162,12 @@ bool basis_is_orthonormal(const Accelerator& accelerator, const State& state) no
     if (!accelerator.camera)
         return true;
     const OrbitCamera& camera = *accelerator.camera;
+    // A direction's code has fewer than 32 bits: the board multiplies such by one instruction.
+    const auto code = [&](ParameterIndex i) { return static_cast<std::int32_t>(state.codes[i]); };
     const auto dot = [&](const auto& a, const auto& b) {
         std::int64_t sum = 0;
         for (std::size_t i = 0; i < 3; ++i)
-            sum += state.codes[a[i]] * state.codes[b[i]];
+            sum += std::int64_t{code(a[i])} * code(b[i]);
         return sum;
     };
     // Codes have f fraction bits, their products 2f; 1.01^2 and 0.99^2 in ten-thousandths.

@@ -19,19 +19,8 @@ namespace raymarch::protocol
 
 /// A complete frame: every parameter that is no row of a table, each once; rows may be among them,
 /// and keep what `state` has where they are not. The same faults, and MissingKey.
-[[nodiscard]] std::optional<Fault> read_frame_by_pairs(const Accelerator& accelerator, Text text,
-                                                       State& state) noexcept;
-
-/// The same, by the short way where the accelerator has one and the frame is one for it. Inlined: a
-/// call with a Text takes a third as long as the short way itself.
-[[nodiscard]] inline std::optional<Fault> read_frame(const Accelerator& accelerator, Text text,
-                                                     State& state) noexcept
-{
-    if (accelerator.read_frame_by_lanes != nullptr &&
-        accelerator.read_frame_by_lanes(text.bytes, state))
-        return std::nullopt;
-    return read_frame_by_pairs(accelerator, text, state);
-}
+[[nodiscard]] std::optional<Fault> read_frame(const Accelerator& accelerator, Text text,
+                                              State& state) noexcept;
 
 /// Whether forward, right and up have length 1 and stand at right angles within 0.01, judged on the
 /// codes. True for an accelerator that has no such camera.

@@ -92,7 +92,7 @@ bool write_help(ReplyWriter& reply, const Accelerator& accelerator, std::string_
             write_accelerators(reply);
         return true;
     }
-    if (const auto index = find_parameter(accelerator.parameters, word)) {
+    if (const auto index = find_parameter(accelerator, word)) {
         write_parameter(reply, accelerator.parameters[*index]);
         return true;
     }

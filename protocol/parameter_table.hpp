@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -37,21 +36,6 @@ consteval std::int64_t bound(std::string_view text, int fraction_bits)
     return value->negative ? -magnitude : magnitude;
 }
 
-consteval KeyFront key_front(std::string_view key)
-{
-    if (key.empty() || key.size() >= sizeof(std::uint64_t))
-        return {};
-    KeyFront front{.bits = 0, .mask = 0, .length = static_cast<std::uint8_t>(key.size() + 1)};
-    for (std::size_t i = 0; i <= key.size(); ++i) {
-        const auto byte = static_cast<std::uint8_t>(i < key.size() ? key[i] : '=');
-        const std::size_t position =
-            std::endian::native == std::endian::little ? i : sizeof(std::uint64_t) - 1 - i;
-        front.bits |= std::uint64_t{byte} << (8 * position);
-        front.mask |= std::uint64_t{0xFF} << (8 * position);
-    }
-    return front;
-}
-
 consteval Limits limits(std::int64_t least, std::int64_t most)
 {
     if (most < 0)
@@ -62,7 +46,6 @@ consteval Limits limits(std::int64_t least, std::int64_t most)
 
 consteval void complete_row(Parameter& row)
 {
-    row.front = key_front(row.key);
     const Format own = {.is_signed = row.format.is_signed,
                         .integer_bits = row.format.integer_bits,
                         .fraction_bits = static_cast<std::uint8_t>(row.code_fraction_bits())};

@@ -68,20 +68,6 @@ struct Slice
 /// The most pieces that a parameter is cut into.
 inline constexpr std::size_t max_slices = 3;
 
-/// `KEY=` as the first bytes of eight that the processor loads at once; empty for a key of more
-/// than seven letters.
-struct KeyFront
-{
-    std::uint64_t bits = 1; ///< with an empty mask: matches nothing
-    std::uint64_t mask = 0;
-    std::uint8_t length = 0;
-
-    [[nodiscard]] constexpr bool matches(std::uint64_t loaded) const noexcept
-    {
-        return (loaded & mask) == bits;
-    }
-};
-
 /// The magnitudes that a parameter takes, in half codes: from `least` to below `first_above`.
 struct Limits
 {
@@ -106,14 +92,13 @@ struct Parameter
     std::span<const std::string_view> choices{}; ///< names of the codes 0, 1, …; empty for numbers
 
     // Filled in by complete(): the range in units of 2^-code_fraction_bits, the default's code, and
-    // what the parser's short path compares.
+    // the limits that the quantizer compares with.
     std::int64_t min_scaled = 0;
     std::int64_t max_scaled = 0;
     std::int64_t initial_code = 0;
     std::int64_t largest_code = 0; ///< the largest that code_width() bits hold
     Limits positive{};             ///< of numbers without a minus sign
     Limits negative{};             ///< with one; a negative zero is a zero
-    KeyFront front{};
 
     [[nodiscard]] constexpr std::span<const Slice> placement() const noexcept
     {
@@ -142,6 +127,51 @@ struct Parameter
 
 /// The largest table that fits a State.
 inline constexpr std::size_t max_parameters = 256;
+
+/// Finds a key in its table. It is a hash table with open addressing, made at compile time.
+class KeyIndex
+{
+  public:
+    /// The keys of `table`, which is shorter than max_parameters.
+    consteval explicit KeyIndex(std::span<const Parameter> table)
+    {
+        slots_.fill(none);
+        for (std::size_t i = 0; i < table.size(); ++i) {
+            if (table[i].is_tail())
+                continue;
+            std::size_t slot = hash(table[i].key);
+            while (slots_[slot] != none)
+                slot = next(slot);
+            slots_[slot] = static_cast<ParameterIndex>(i);
+        }
+    }
+    /// The index of `key`, in upper or lower case, in the table that this was made from.
+    [[nodiscard]] constexpr std::optional<ParameterIndex> find(std::span<const Parameter> table,
+                                                               std::string_view key) const noexcept
+    {
+        for (std::size_t slot = hash(key); slots_[slot] != none; slot = next(slot))
+            if (equal_ignoring_case(table[slots_[slot]].key, key))
+                return slots_[slot];
+        return std::nullopt;
+    }
+
+  private:
+    static constexpr ParameterIndex none = max_parameters - 1;
+
+    [[nodiscard]] static constexpr std::size_t hash(std::string_view key) noexcept
+    {
+        std::uint32_t sum = 0;
+        for (const char c : key)
+            sum = sum * 31 + static_cast<std::uint8_t>(to_upper(c));
+        return sum % (2 * max_parameters);
+    }
+    [[nodiscard]] static constexpr std::size_t next(std::size_t slot) noexcept
+    {
+        return (slot + 1) % (2 * max_parameters);
+    }
+
+    std::array<ParameterIndex, 2 * max_parameters> slots_{};
+};
 /// The most parameter words of any accelerator: from offset 0x100 to the middle of the page.
 inline constexpr std::size_t max_parameter_words = (0x800 - 0x100) / 4;
 
@@ -166,18 +196,18 @@ class ParameterSet
   public:
     constexpr ParameterSet& set(std::size_t i, bool on = true) noexcept
     {
-        const std::uint64_t bit = std::uint64_t{1} << (i % 64);
-        bits_[i / 64] = on ? bits_[i / 64] | bit : bits_[i / 64] & ~bit;
+        const std::uint32_t bit = std::uint32_t{1} << (i % 32);
+        bits_[i / 32] = on ? bits_[i / 32] | bit : bits_[i / 32] & ~bit;
         return *this;
     }
     [[nodiscard]] constexpr bool operator[](std::size_t i) const noexcept
     {
-        return (bits_[i / 64] >> (i % 64) & 1) != 0;
+        return (bits_[i / 32] >> (i % 32) & 1) != 0;
     }
     [[nodiscard]] constexpr std::size_t count() const noexcept
     {
         std::size_t count = 0;
-        for (const std::uint64_t bits : bits_)
+        for (const std::uint32_t bits : bits_)
             count += static_cast<std::size_t>(std::popcount(bits));
         return count;
     }
@@ -193,7 +223,7 @@ class ParameterSet
     bool operator==(const ParameterSet&) const = default;
 
   private:
-    std::array<std::uint64_t, max_parameters / 64> bits_{};
+    std::array<std::uint32_t, max_parameters / 32> bits_{}; // of 32: quicker on the board
 };
 
 /// The twelve parameters that make a camera; what VIEW sets and the basis check looks at.
@@ -239,29 +269,26 @@ struct Accelerator
     std::uint8_t ray_units;
     std::uint32_t clock_hz;
     std::span<const Parameter> parameters;
+    KeyIndex keys;                               ///< of `parameters`
     void (*pack)(const State&, Words&) noexcept; ///< pack_table() of `parameters`
-    /// The short way of frames, frame_lanes.hpp, where the table allows one.
-    bool (*read_frame_by_lanes)(std::string_view, State&) noexcept = nullptr;
-    ParameterSet frame; ///< what a complete frame names, see frame_of()
+    ParameterSet frame;                          ///< what a complete frame names, see frame_of()
     std::span<const Preset> presets;
     std::optional<OrbitCamera> camera;
     std::optional<Colour> colour;
     std::optional<ParameterIndex> scene; ///< the choice of scenes
 };
 
-/// The index of `key` (any case), looked for first at `guess`: keys mostly come in table order.
+/// The index of `key`, in upper or lower case. It is compared first with the key at `guess`,
+/// because hosts mostly write the keys in table order.
 [[nodiscard]] constexpr std::optional<ParameterIndex>
-find_parameter(std::span<const Parameter> table, std::string_view key,
-               std::size_t guess = 0) noexcept
+find_parameter(const Accelerator& accelerator, std::string_view key, std::size_t guess = 0) noexcept
 {
-    if (key.empty()) // the name of no value
+    if (key.empty()) // a tail has no key
         return std::nullopt;
+    const std::span<const Parameter> table = accelerator.parameters;
     if (guess < table.size() && equal_ignoring_case(table[guess].key, key))
         return static_cast<ParameterIndex>(guess);
-    for (std::size_t i = 0; i < table.size(); ++i)
-        if (equal_ignoring_case(table[i].key, key))
-            return static_cast<ParameterIndex>(i);
-    return std::nullopt;
+    return accelerator.keys.find(table, key);
 }
 
 /// The code of a choice from its name (any case) or its single digit.

@@ -84,6 +84,7 @@ inline constexpr Accelerator description = {
     .ray_units = 12,
     .clock_hz = 40'000'000,
     .parameters = parameters,
+    .keys = KeyIndex(parameters),
     .pack = pack_table<parameters>,
     .frame = frame_of(parameters),
     .presets = presets,

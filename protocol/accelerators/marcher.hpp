@@ -5,7 +5,6 @@
 /// §5.1.2.
 #pragma once
 
-#include "protocol/frame_lanes.hpp"
 #include "protocol/packer.hpp"
 #include "protocol/parameter_table.hpp"
 
@@ -46,8 +45,6 @@ inline constexpr auto parameters = complete(std::array{
     Parameter{.key = "OBJ", .meaning = "scene", .unit = "", .group = "object", .format = object_format, .min = "", .max = "", .initial = "sphere", .slices = {{{0, 31, 30}}}, .choices = scenes},
 });
 
-inline constexpr FrameLanes frame_lanes = frame_lanes_of(parameters);
-
 /// At least two views of each scene; every camera stands in free space.
 inline constexpr std::array presets = {
     Preset{"sphere", "the unit sphere from the front, lit from the upper right", "FX=0,FY=0,FZ=1,RX=1,RY=0,RZ=0,UX=0,UY=1,UZ=0,ZM=1.9,LX=3,LY=2,LZ=5,R=1,G=1,B=1,OBJ=sphere"},
@@ -72,8 +69,8 @@ inline constexpr Accelerator description = {
     .ray_units = 4,
     .clock_hz = 100'000'000,
     .parameters = parameters,
+    .keys = KeyIndex(parameters),
     .pack = pack_table<parameters>,
-    .read_frame_by_lanes = read_frame_by_lanes<frame_lanes>,
     .frame = frame_of(parameters),
     .presets = presets,
     .camera =

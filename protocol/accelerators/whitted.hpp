@@ -292,6 +292,7 @@ inline constexpr Accelerator description = {
     .ray_units = 1,
     .clock_hz = 25'000'000,
     .parameters = parameters,
+    .keys = KeyIndex(parameters),
     .pack = pack_table<parameters>,
     .frame = frame_of(parameters),
     .presets = presets,

@@ -58,8 +58,8 @@ TEST_P(Parameters, KeysAreFoundFromAnyGuess)
 {
     for (std::size_t i = 0; i < table.size(); ++i)
         for (std::size_t guess = 0; guess <= table.size() + 1 && !table[i].is_tail(); ++guess)
-            ASSERT_EQ(find_parameter(table, table[i].key, guess), i) << table[i].key;
-    EXPECT_FALSE(find_parameter(table, ""));
+            ASSERT_EQ(find_parameter(accelerator, table[i].key, guess), i) << table[i].key;
+    EXPECT_FALSE(find_parameter(accelerator, ""));
 }
 
 TEST_P(Parameters, TheDescriptionHoldsTogether)
@@ -145,10 +145,10 @@ TEST_P(Parameters, PresetsAreReadAndDiffer)
 
 TEST(MarcherParameters, KeysAreFoundInAnyCase)
 {
-    const auto table = marcher::description.parameters;
-    EXPECT_EQ(find_parameter(table, "obj"), marcher::OBJ);
-    EXPECT_FALSE(find_parameter(table, ""));
-    EXPECT_FALSE(find_parameter(table, "F"));
+    EXPECT_EQ(find_parameter(marcher::description, "obj"), marcher::OBJ);
+    EXPECT_EQ(find_parameter(marcher::description, "Obj", marcher::FX), marcher::OBJ);
+    for (const std::string_view key : {"", "F", "FXX", "XF", "OB", "fx="})
+        EXPECT_FALSE(find_parameter(marcher::description, key)) << key;
 }
 
 TEST(MarcherParameters, ChoicesHaveANameAndADigit)
@@ -185,7 +185,7 @@ TEST(MarcherParameters, RangesAreThoseOfTheContract)
         Text rest{.bytes = row.keys};
         while (!rest.empty()) {
             const auto key = take_until(rest, ' ').text.bytes;
-            const auto index = find_parameter(marcher::parameters, key);
+            const auto index = find_parameter(marcher::description, key);
             ASSERT_TRUE(index) << key;
             const Parameter& parameter = marcher::parameters[*index];
             EXPECT_EQ(parameter.group, row.group) << key;

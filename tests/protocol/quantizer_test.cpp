@@ -193,7 +193,7 @@ std::string random_number(std::mt19937_64& random)
     return text;
 }
 
-TEST(Quantizer, TheShortWayAgreesWithTheGeneralOne)
+TEST(Quantizer, TheFastPathAgreesWithTheGeneralOne)
 {
     auto random = test::seeded_random();
     int taken = 0;
@@ -204,7 +204,7 @@ TEST(Quantizer, TheShortWayAgreesWithTheGeneralOne)
             std::int64_t code = 0;
             const std::size_t length = quantize_plain(*parameter, line, code);
             if (length == 0 || line[length] != ',')
-                continue; // left to the general way
+                continue; // left to quantize()
             const auto general = quantize(*parameter, text);
             ASSERT_TRUE(general) << parameter->key << '=' << text;
             ASSERT_EQ(code, *general) << parameter->key << '=' << text;
@@ -229,7 +229,7 @@ class Numbers : public test::EveryAccelerator
 INSTANTIATE_TEST_SUITE_P(Accelerators, Numbers, testing::ValuesIn(accelerators),
                          test::accelerator_name);
 
-TEST_P(Numbers, TheShortWayAgreesWithTheGeneralOne)
+TEST_P(Numbers, TheFastPathAgreesWithTheGeneralOne)
 {
     auto random = test::seeded_random();
     int taken = 0;
@@ -242,7 +242,7 @@ TEST_P(Numbers, TheShortWayAgreesWithTheGeneralOne)
                                            ? 0
                                            : quantize_plain(parameter, line, code);
             if (length == 0 || line[length] != ',')
-                continue; // left to the general way
+                continue; // left to quantize()
             ASSERT_EQ(general(parameter, text), code) << parameter.key << '=' << text;
             ASSERT_EQ(parameter.tail_bits, 0) << parameter.key;
             ++taken;
@@ -309,7 +309,7 @@ TEST(Quantizer, EnormousNumbersAreOutOfRange)
 }
 
 /// Every code of Q7.3 and the ties between them, written with three decimals as hosts write them.
-TEST(Quantizer, TheShortWayTakesWhatHostsWrite)
+TEST(Quantizer, TheFastPathTakesWhatHostsWrite)
 {
     for (int sixteenths = -64 * 16; sixteenths <= 63 * 16 + 14; ++sixteenths) {
         const std::string text = fmt::format("{:.4f}", sixteenths / 16.0);
@@ -319,37 +319,42 @@ TEST(Quantizer, TheShortWayTakesWhatHostsWrite)
     }
 }
 
-/// Around every multiple near the ends of 64 bits, and at numbers of every length.
-TEST(Quantizer, MultiplyingByAReciprocalIsDividing)
+/// The product by a factor against the quotient: every number of decimals and of fraction bits;
+/// values that are divided exactly, their neighbours, and the largest of nine digits.
+TEST(Quantizer, MultiplyingByAFactorIsDividing)
 {
-    const auto check = [](std::uint64_t value) {
-        for (std::size_t digits = 0; digits < detail::powers_of_ten.size(); ++digits)
-            ASSERT_EQ(detail::multiply_by_reciprocal(value, digits),
-                      value / detail::powers_of_ten[digits])
-                << value << " / 10^" << digits;
+    const auto check = [](std::uint64_t value, unsigned bits, unsigned decimals) {
+        std::uint64_t power = 1;
+        for (unsigned i = 0; i < decimals; ++i)
+            power *= 10;
+        // In two steps: value * 2^27 would not leave room for ten digits more.
+        const std::uint64_t whole = value / power;
+        const std::uint64_t rest = (value % power) << bits;
+        const Scaled scaled =
+            detail::scale_plain(static_cast<std::uint32_t>(value), bits, decimals);
+        ASSERT_EQ(scaled.floor, (whole << bits) + rest / power)
+            << value << ' ' << bits << ' ' << decimals;
+        ASSERT_EQ(scaled.inexact, rest % power != 0) << value << ' ' << bits << ' ' << decimals;
     };
-    for (const std::uint64_t power : detail::powers_of_ten)
-        for (const std::uint64_t first : {std::uint64_t{1}, (UINT64_MAX / power) - 9})
-            for (std::uint64_t factor = first; factor < first + 10; ++factor)
-                for (const std::uint64_t value : {factor * power - 1, factor * power})
-                    check(value);
-    for (int bits = 0; bits < 64; ++bits)
-        for (const std::uint64_t pattern :
-             {UINT64_MAX, 0xAAAA'AAAA'AAAA'AAAA, 0x9E37'79B9'7F4A'7C15})
-            check(pattern >> bits);
-}
-
-/// Both ways to read the digits of a fraction; a processor takes one of them.
-TEST(Quantizer, DigitsOneByOneAreTheDigitsOfEight)
-{
-    for (const std::string_view text :
-         {"12345678", "1234567,", "000,1234", "9,FX=999", ",1234567", "99999999", "0012/456",
-          "001:3456", "12\xFF\x80 456", "1 234567"}) {
-        const detail::Digits eight = detail::digits_of_eight(text.data());
-        const detail::Digits single = detail::digits_one_by_one(text.data());
-        EXPECT_EQ(eight.count, single.count) << text;
-        EXPECT_EQ(eight.value, single.value) << text;
-    }
+    constexpr std::uint64_t largest = 999'999'999;
+    auto random = test::seeded_random();
+    for (unsigned bits = 0; bits <= detail::max_plain_bits; ++bits)
+        for (unsigned decimals = 0; decimals <= detail::max_plain_decimals; ++decimals) {
+            // 5^decimals times an odd number, and its doubles, are what comes out without a rest.
+            std::uint64_t five = 1;
+            for (unsigned i = 0; i < decimals; ++i)
+                five *= 5;
+            for (int i = 0; i < 300; ++i) {
+                const std::uint64_t exact =
+                    test::pick<std::uint64_t>(random, 0, largest / five) * five;
+                check(exact, bits, decimals);
+                check(std::min(exact + 1, largest), bits, decimals);
+                check(exact > 0 ? exact - 1 : 0, bits, decimals);
+                check(test::pick<std::uint64_t>(random, 0, largest), bits, decimals);
+                check(largest - static_cast<std::uint64_t>(i), bits, decimals);
+                check(static_cast<std::uint64_t>(i), bits, decimals);
+            }
+        }
 }
 
 } // namespace
