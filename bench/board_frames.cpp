@@ -7,8 +7,8 @@
 /// First each frame of frames.txt, whose words it prints as the registers hold them; then COUNT
 /// frames more, in turns, and prints nothing. A frame comes in pieces of at most BYTES.
 /// board_frames.py does the same in Python.
-#include "base/unique_fd.hpp"
 #include "bench/bench_frames.hpp"
+#include "bench/register_page.hpp"
 #include "daemon/config.hpp"
 #include "daemon/controller.hpp"
 #include "daemon/event_loop.hpp"
@@ -58,22 +58,6 @@ Integer number(const std::string& text)
                             std::numeric_limits<Integer>::max()));
     return value;
 }
-
-/// A file of one register page, with a name for as long as this lives. The service maps it, and is
-/// the only one that may.
-struct RegisterPage
-{
-    std::string path = (std::filesystem::temp_directory_path() / "board-frames-XXXXXX").string();
-    UniqueFd fd = UniqueFd(::mkstemp(path.data()));
-    RegisterPage()
-    {
-        if (!fd || ::ftruncate(fd.get(), protocol::register_page_bytes) != 0)
-            give_up("no register page at " + path);
-    }
-    RegisterPage(const RegisterPage&) = delete;
-    RegisterPage& operator=(const RegisterPage&) = delete;
-    ~RegisterPage() { ::unlink(path.c_str()); }
-};
 
 /// Keeps what the service keeps, without the file.
 struct Memory final : daemon::Storage
@@ -142,7 +126,7 @@ class Service
     std::size_t chunk_;
 };
 
-void print_words(const RegisterPage& page, const protocol::Accelerator& accelerator)
+void print_words(const bench::RegisterPage& page, const protocol::Accelerator& accelerator)
 {
     std::vector<std::uint32_t> words(accelerator.word_count);
     const auto bytes = static_cast<ssize_t>(words.size() * sizeof words[0]);
@@ -170,7 +154,7 @@ int main(int argc, char** argv)
     auto loop = daemon::EventLoop::open();
     if (!loop)
         give_up(loop.error().message);
-    const RegisterPage page;
+    const bench::RegisterPage page;
     Service service(*loop, page.path, chunk);
     for (const std::string& frame : frames) {
         service.take(frame);

@@ -5,6 +5,7 @@
 /// frame_path.py answers the same for the way of the source's script, with the same frames. Beside
 /// the frame: the whole session (basis check, read-back, reply), other orders, chunks and numbers.
 #include "bench/bench_frames.hpp"
+#include "bench/register_page.hpp"
 #include "daemon/register_path.hpp"
 #include "daemon/session.hpp"
 #include "drivers/mapped_window.hpp"
@@ -18,10 +19,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include <unistd.h>
-
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -70,19 +68,19 @@ Frames shuffled_frames()
     return with_endings(shuffled(read_frames(RAYMARCH_BENCH_FRAMES)));
 }
 
-/// A register page in a file that has no name any more.
-std::unique_ptr<drivers::MappedWindow> register_page()
+/// A register page, mapped as the service maps it.
+struct Page
 {
-    std::string path = (std::filesystem::temp_directory_path() / "raymarch-bench-XXXXXX").string();
-    const UniqueFd fd(::mkstemp(path.data()));
-    if (!fd)
-        give_up("no temporary file at " + path);
-    auto window = drivers::MappedWindow::open_file(path, register_page_bytes);
-    ::unlink(path.c_str());
-    if (!window)
-        give_up(window.error().message);
-    return std::move(*window);
-}
+    RegisterPage file;
+    std::unique_ptr<drivers::MappedWindow> window;
+    Page()
+    {
+        auto opened = drivers::MappedWindow::open_file(file.path, register_page_bytes);
+        if (!opened)
+            give_up(opened.error().message);
+        window = std::move(*opened);
+    }
+};
 
 void store(drivers::RegisterBus& page, const Words& words)
 {
@@ -104,7 +102,7 @@ void take(LineReader& reader, std::string_view bytes, State& state, drivers::Reg
 /// One frame an iteration, in chunks of at most `chunk` bytes.
 void run_frames(benchmark::State& state, const Frames& frames, std::size_t chunk)
 {
-    const auto page = register_page();
+    const Page page;
     LineReader reader;
     State codes(accelerator.parameters.size());
     std::size_t next = 0;
@@ -114,7 +112,7 @@ void run_frames(benchmark::State& state, const Frames& frames, std::size_t chunk
         while (!frame.empty()) {
             const std::string_view piece = frame.substr(0, chunk);
             frame.remove_prefix(piece.size());
-            take(reader, piece, codes, *page);
+            take(reader, piece, codes, *page.window);
         }
         benchmark::ClobberMemory();
         next = next + 1 == frames.size() ? 0 : next + 1;
@@ -124,18 +122,18 @@ void run_frames(benchmark::State& state, const Frames& frames, std::size_t chunk
 /// The registers alone: what of the above is the page's.
 void stores(benchmark::State& state)
 {
-    const auto page = register_page();
+    const Page page;
     Words words = pack(accelerator, initial_state(accelerator));
     for ([[maybe_unused]] auto _ : state) {
         benchmark::DoNotOptimize(words);
-        store(*page, words);
+        store(*page.window, words);
     }
 }
 
 struct PlainBoard final : daemon::Board
 {
-    std::unique_ptr<drivers::MappedWindow> page = register_page();
-    Result<daemon::RegisterPath> path = daemon::RegisterPath::probe(*page, accelerator);
+    Page page;
+    Result<daemon::RegisterPath> path = daemon::RegisterPath::probe(*page.window, accelerator);
     daemon::Applied apply(const Words& words) override { return path->apply(words); }
     daemon::Health health() override { return {}; }
     bool use(const Accelerator&) override { return false; }
