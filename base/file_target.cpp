@@ -14,7 +14,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// A link in /proc to an open file that has been removed ends in this.
+/// The kernel appends this to the /proc link of an open file that was removed.
 constexpr std::string_view mark_of_nameless = " (deleted)";
 
 struct TypeName
@@ -65,7 +65,7 @@ Result<FileTarget> find_target(const std::string& path)
     if (there && !S_ISREG(file.st_mode))
         return fail(not_a_file(path, file.st_mode));
     FileTarget target{.path = end_of_links(path), .file = std::nullopt};
-    // Looked at once more, for others may have replaced it meanwhile.
+    // The link is checked again, because another process may have replaced it meanwhile.
     if (::lstat(target.path.c_str(), &file) == 0)
         target.file = file;
     else if (there && target.path.ends_with(mark_of_nameless))

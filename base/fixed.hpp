@@ -19,12 +19,12 @@ namespace raymarch
 
 enum class Sign { Signed, Unsigned };
 enum class Rounding {
-    Floor,       ///< drop the low bits: what an arithmetic shift does in hardware
-    NearestEven, ///< to the nearest, ties to the even code
+    Floor,       ///< drops the low bits, as an arithmetic shift does in hardware
+    NearestEven, ///< rounds to the nearest code, ties to the even one
 };
 enum class Overflow {
-    Wrap,     ///< keep the low bits: what a register does
-    Saturate, ///< hold the largest or smallest code
+    Wrap,     ///< keeps the low bits, as a register does
+    Saturate, ///< gives the largest or smallest code
 };
 
 template <Sign S, int IntegerBits, int FractionBits, Rounding R, Overflow O>
@@ -50,7 +50,7 @@ class Fixed
 
     constexpr Fixed() noexcept = default;
 
-    /// From a code that is known to fit; the low `width` bits count.
+    /// Makes a number from a code that fits. Only the low `width` bits of `raw` are used.
     [[nodiscard]] static constexpr Fixed from_raw(std::integral auto raw) noexcept
     {
         Fixed result;

@@ -45,14 +45,14 @@ bool journal_reads() noexcept
     return result;
 }
 
-/// Whether a byte of a message would end the line, or steer a terminal. The controls above 0x7F are
-/// those that UTF-8 writes as C2 80 to C2 9F.
+/// Whether a byte of a message would end the line or control a terminal. UTF-8 writes the control
+/// characters above 0x7F as C2 80 to C2 9F.
 bool is_control(unsigned char byte, unsigned char before) noexcept
 {
     return byte < 0x20 || byte == 0x7F || (before == 0xC2 && byte >= 0x80 && byte < 0xA0);
 }
 
-/// One line in a buffer of its own.
+/// Builds one line in a buffer.
 class Line
 {
   public:
@@ -108,30 +108,30 @@ class Line
     bool cut_ = false;
 };
 
-/// Standard error as it is written to without waiting. What is behind the number may change while
-/// the program runs (a test that redirects it), so it is looked at again with each line.
+/// Writes to standard error without blocking. A test may redirect the descriptor while the program
+/// runs, so the file behind it is checked again for each line.
 class Output
 {
   public:
-    /// How many bytes went out now, possibly none.
+    /// Returns how many bytes were written, possibly none.
     std::size_t write(std::string_view bytes) noexcept
     {
         struct stat info = {};
         if (::fstat(STDERR_FILENO, &info) != 0)
-            return bytes.size(); // nothing is there; nothing is lost that anybody could read
+            return bytes.size(); // the descriptor is closed, so nobody could read the line
         ssize_t sent = -1;
         if (S_ISSOCK(info.st_mode))
             sent = ::send(STDERR_FILENO, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
         else if (S_ISFIFO(info.st_mode) || S_ISCHR(info.st_mode))
             sent = write_unblocked(info, bytes);
-        else // a file, which never waits for a reader
+        else // a file, whose writes never wait for a reader
             sent = ::write(STDERR_FILENO, bytes.data(), bytes.size());
         return sent > 0 ? static_cast<std::size_t>(sent) : 0;
     }
 
   private:
-    /// O_NONBLOCK belongs to the open file, which other processes share with us. So a pipe or a
-    /// terminal is opened once more, for ourselves.
+    /// O_NONBLOCK belongs to the open file description, which other processes share. So a pipe or
+    /// a terminal is opened a second time, and only that description does not block.
     ssize_t write_unblocked(const struct stat& info, std::string_view bytes) noexcept
     {
         if (own_ && (info.st_dev != device_ || info.st_ino != number_))
@@ -144,8 +144,8 @@ class Output
         }
         if (own_)
             return ::write(own_.get(), bytes.data(), bytes.size());
-        // Not to be opened (another user's terminal, no /proc): what a look says has to do. A pipe
-        // that has room has it for a whole line.
+        // It cannot be opened again (another user's terminal, no /proc), so poll has to tell
+        // whether there is room. A pipe that has room at all has room for a whole line.
         pollfd end = {.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
         if (::poll(&end, 1, 0) != 1 || (end.revents & POLLOUT) == 0)
             return 0;
@@ -157,7 +157,7 @@ class Output
     ino_t number_ = 0;
 };
 
-/// The lines in the order in which they come, from whichever thread.
+/// Writes the lines of all threads in the order in which they come.
 class Writer
 {
   public:
@@ -185,7 +185,8 @@ class Writer
         lost_ = 0;
         return true;
     }
-    /// A line that went out by half counts as lost; the next begins after its end.
+    /// A line that was written only in part counts as dropped. A line end is written before the
+    /// next.
     bool put(std::string_view line) noexcept
     {
         if (broken_ && output_.write("\n") == 0)
@@ -202,7 +203,7 @@ class Writer
     bool broken_ = false;
 };
 
-/// Never destroyed: a thread may log until the process ends.
+/// This object is never destroyed, because a thread may log until the process ends.
 Writer& writer() noexcept
 {
     alignas(Writer) static std::array<std::byte, sizeof(Writer)> place;

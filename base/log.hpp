@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Log lines on standard error: with a "<N>" priority when a journal reads them, without for a
-/// person. Log once, where an error is handled.
+/// Writes log lines to standard error. A line begins with its priority, "<N>", if a journal reads
+/// it, and without one for a person. An error is logged once, where it is handled.
 ///
-/// Logging never waits for whoever reads. A line that finds no room is lost; how many were is said
-/// with the next one that finds some.
+/// Logging never blocks. A line that does not fit into the pipe is dropped, and the next line that
+/// fits also says how many were dropped.
 #pragma once
 
 #include <fmt/core.h>
@@ -17,22 +17,22 @@
 namespace raymarch::log
 {
 
-/// syslog priorities; the numeric value is what stands between the brackets.
+/// The priorities of syslog. The number is what stands between the brackets.
 enum class Level { Error = 3, Warning = 4, Notice = 5, Info = 6, Debug = 7 };
 
-/// "error" … "debug" to a level; nothing for any other word.
+/// The level that a word from "error" to "debug" names; empty for any other word.
 [[nodiscard]] std::optional<Level> level_named(std::string_view name) noexcept;
 
-/// With prefix and ending: as much as a pipe takes whole.
+/// The longest line, with prefix and ending. A pipe takes a write of this size as a whole.
 inline constexpr std::size_t longest_line = 4096;
 
-/// Lines less important than `level` are dropped. Default: Notice.
+/// Drops lines that are less important than `level` from now on. The default is Notice.
 void set_level(Level level) noexcept;
 [[nodiscard]] bool enabled(Level level) noexcept;
 
-/// Writes one line with a single system call; allocates nothing. Bytes that would end the line or
-/// steer a terminal are shown as \xHH, so that no name from outside makes lines of its own. What is
-/// longer than longest_line is cut, which "..." at its end shows. Any thread may call it.
+/// Writes one line with a single system call and allocates nothing. Bytes that would end the line
+/// or control a terminal are written as \xHH, so that a name from outside cannot forge a line. A
+/// line longer than longest_line is cut and ends in "...". Any thread may call this function.
 void write_line(Level level, std::string_view text) noexcept;
 
 template <typename... Args>

@@ -23,7 +23,8 @@ constexpr char lower(char c) noexcept
 
 std::size_t edit_distance(std::string_view one, std::string_view other)
 {
-    // Distances between the fronts of both: of the row before the last, the last, and this one.
+    // Rows of the table of distances between the prefixes of both words: the row before the last,
+    // the last row, and the present one.
     std::vector<std::size_t> before(other.size() + 1);
     std::vector<std::size_t> last(other.size() + 1);
     std::vector<std::size_t> row(other.size() + 1);
@@ -53,7 +54,7 @@ std::optional<std::string_view> nearest(std::string_view word,
     for (const std::string_view candidate : candidates) {
         const std::size_t longer = std::max(word.size(), candidate.size());
         const std::size_t shorter = std::min(word.size(), candidate.size());
-        if (longer - shorter > most_slips) // also of a word of any length that somebody pasted
+        if (longer - shorter > most_slips) // this also limits the work for a very long word
             continue;
         const std::size_t distance = edit_distance(word, candidate);
         if (distance < least && 3 * distance <= longer) {

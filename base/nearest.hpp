@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The known word that a mistyped one was meant to be.
+/// Guesses which known word a mistyped word was meant to be.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@
 namespace raymarch
 {
 
-/// How many bytes have to be put in, left out, changed or exchanged with their neighbour to make
-/// one word of the other. ASCII letters count as equal in both cases.
+/// The edit distance of two words: how many bytes have to be inserted, deleted, changed or swapped
+/// with their neighbour to turn one into the other. The case of ASCII letters is ignored.
 [[nodiscard]] std::size_t edit_distance(std::string_view one, std::string_view other);
 
-/// The candidate with the least distance from `word`, the first of several; nothing where each is
-/// further away than 2, or than a third of the longer word.
+/// The candidate with the least distance from `word`; of several, the first. The result is empty if
+/// that distance is above 2, or above a third of the longer word.
 [[nodiscard]] std::optional<std::string_view> nearest(std::string_view word,
                                                       std::span<const std::string_view> candidates);
 
-/// `; did you mean 'NAME'?` of the nearest candidate, to stand behind an error; else empty.
+/// The end of an error message, `; did you mean 'NAME'?`; empty if no candidate is near enough.
 [[nodiscard]] std::string did_you_mean(std::string_view word,
                                        std::span<const std::string_view> candidates);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Expected failures: what went wrong, with the errno and a sentence for a person.
+/// Expected failures, each with its kind, its errno and a sentence for a person.
 ///
-/// Bugs are asserted; everything the world can do to us travels as a Result.
+/// A bug is caught by an assertion. Everything else that can go wrong is returned as a Result.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace raymarch
 {
 
-/// What kind of failure it is; decides the exit status of a program (sysexits.h).
+/// The kind of a failure. It decides the exit status of a program (sysexits.h).
 enum class ErrorKind {
     Usage,       ///< the command line is wrong
     BadData,     ///< input data is wrong
@@ -20,7 +20,7 @@ enum class ErrorKind {
     Config,      ///< the configuration file is wrong
 };
 
-/// One failure. `number` is the errno, or 0 where there is none.
+/// One failure. `number` is the errno, or 0 if there is none.
 struct Error
 {
     ErrorKind kind;
@@ -31,8 +31,8 @@ struct Error
 template <typename T>
 using Result = tl::expected<T, Error>;
 
-/// An Error from the present errno: "<operation> <subject>: <strerror>". Call it before anything
-/// else can change errno.
+/// Makes an Error from the present errno: "<operation> <subject>: <strerror>". Call it before
+/// anything else can change errno.
 [[nodiscard]] Error errno_error(ErrorKind kind, const char* operation, const std::string& subject);
 
 /// An Error without an errno.

@@ -12,7 +12,7 @@ namespace raymarch
 namespace
 {
 
-/// The lowest number that is free is taken; -1 when none is to be had.
+/// Opens the lowest free descriptor; returns -1 if none can be opened.
 int open_placeholder() noexcept
 {
     const int null = ::open("/dev/null", O_RDWR | O_NOCTTY); // children inherit it: no O_CLOEXEC

@@ -20,10 +20,10 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr int most_names = 100;
-constexpr std::size_t longest_ending = 8; ///< a longer one is not what tells a format
+constexpr std::size_t longest_ending = 8; ///< a longer ending does not name a format
 constexpr const char* access_list = "system.posix_acl_access";
 
-/// It is short whatever the final name is, which may have all 255 bytes that a name can have.
+/// The hidden name is always short, because the final name may already have the longest length.
 std::string hidden_name(const fs::path& path)
 {
     const std::string ending = path.extension().string();
@@ -34,8 +34,8 @@ std::string hidden_name(const fs::path& path)
         .string();
 }
 
-/// The access list of the old file, of which a mode is only a summary. False where the new file
-/// cannot have the same.
+/// Copies the access list of the old file, of which the mode is only a summary. Returns false if
+/// the new file cannot have the same list.
 bool copy_access_list(const std::string& from, int to) noexcept
 {
     std::array<char, 4096> list{};
@@ -44,12 +44,14 @@ bool copy_access_list(const std::string& from, int to) noexcept
         return false;
     if (size > 0)
         return ::fsetxattr(to, access_list, list.data(), static_cast<std::size_t>(size), 0) == 0;
-    static_cast<void>(::fremovexattr(to, access_list)); // what the folder gives to new files
+    static_cast<void>(
+        ::fremovexattr(to, access_list)); // removes the list that the folder gives to new files
     return true;
 }
 
-/// The file, which only its owner can open so far, gets the owner, the group and the permissions of
-/// the old one. What is not permitted is left out: others then have less access, never more.
+/// Gives the new file, which only its owner can open so far, the owner, the group and the
+/// permissions of the old one. If a step is not permitted, others get less access than before,
+/// never more.
 void take_over_access(int fd, const FileTarget& target) noexcept
 {
     const struct stat& old = *target.file;
@@ -61,14 +63,14 @@ void take_over_access(int fd, const FileTarget& target) noexcept
     const bool same_group =
         fresh.st_gid == old.st_gid || ::fchown(fd, static_cast<uid_t>(-1), old.st_gid) == 0;
     mode_t mode = old.st_mode & 0777U;
-    // Another group gets what everybody has.
+    // If the group cannot be kept, the new group gets only the rights of everybody.
     if (!same_group || !copy_access_list(target.path, fd))
         mode &= ~0070U | (mode & 0007U) << 3U;
-    if ((fresh.st_mode & 0777U) != mode) // a file system without modes refuses even the same one
+    if ((fresh.st_mode & 0777U) != mode) // a file system without modes refuses any chmod
         static_cast<void>(::fchmod(fd, mode));
 }
 
-/// The rename is in the folder, so the folder has to reach the disk too.
+/// Syncs the folder, because the rename changes the folder and not the file.
 bool sync_folder_of(const std::string& path) noexcept
 {
     const std::string folder = fs::path(path).parent_path().string();
@@ -125,7 +127,7 @@ Result<UnfinishedFile> UnfinishedFile::open(const std::string& final_path,
     const auto target = find_target(final_path);
     if (!target)
         return fail(target.error());
-    // A rename would not ask whether the old file may be written.
+    // A rename does not check whether the old file may be written, so it is checked here.
     if (target->file && ::faccessat(AT_FDCWD, target->path.c_str(), W_OK, AT_EACCESS) != 0 &&
         errno != ENOENT)
         return fail(errno_error(ErrorKind::InputOutput, "replace", final_path));
@@ -134,7 +136,7 @@ Result<UnfinishedFile> UnfinishedFile::open(const std::string& final_path,
     const std::string place =
         beside ? target->path
                : (fs::path(hidden_folder) / fs::path(final_path).filename()).string();
-    // Nobody else opens it before it has the old one's permissions.
+    // Nobody else can open the new file before it has the permissions of the old one.
     const mode_t mode = target->file ? 0600 : 0666;
     auto hidden = make_beside(place, [&](const std::string& name) {
         file.fd_ = UniqueFd(
@@ -164,7 +166,7 @@ Result<void> UnfinishedFile::write(std::span<const std::uint8_t> bytes)
 
 Result<void> UnfinishedFile::close()
 {
-    if (fd_ && ::close(fd_.release()) != 0) // a network's file system may say it only here
+    if (fd_ && ::close(fd_.release()) != 0) // a network file system may report an error only here
         return fail(errno_error(ErrorKind::InputOutput, "write", name_));
     return {};
 }
@@ -176,7 +178,7 @@ Result<void> UnfinishedFile::finish(Durability durability)
         return fail(errno_error(ErrorKind::InputOutput, "sync", name_));
     if (auto closed = close(); !closed)
         return closed;
-    struct stat now = {}; // a film takes minutes: what is there may have changed
+    struct stat now = {}; // the target may have changed during the minutes of a film
     if (::lstat(target_.c_str(), &now) == 0 && !S_ISREG(now.st_mode))
         return fail(not_a_file(name_, now.st_mode));
     if (std::rename(hidden_.c_str(), target_.c_str()) != 0)

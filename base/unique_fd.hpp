@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A file descriptor that is closed once, by its owner.
+/// A file descriptor with one owner, which closes it once.
 #pragma once
 
 #include <unistd.h>
@@ -10,8 +10,8 @@
 namespace raymarch
 {
 
-/// Owns a descriptor; -1 means none. close() is never retried: on Linux the descriptor is gone
-/// even when close() reports EINTR.
+/// Owns a descriptor; -1 means none. close() is never retried, because on Linux the descriptor is
+/// closed even if close() reports EINTR.
 class UniqueFd
 {
   public:
@@ -38,7 +38,7 @@ class UniqueFd
     }
 
     [[nodiscard]] int get() const noexcept { return fd_; }
-    /// Gives the descriptor away, to be closed by whoever takes it.
+    /// Gives up ownership: the caller has to close the descriptor.
     [[nodiscard]] int release() noexcept { return std::exchange(fd_, -1); }
     [[nodiscard]] explicit operator bool() const noexcept { return fd_ >= 0; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What the directions of WALK and TURN (protocol/commands.hpp) ask of a movement.
+/// Turns the directions of WALK and TURN (protocol/commands.hpp) into inputs of a movement.
 #pragma once
 
 #include "motion/inputs.hpp"
@@ -18,7 +18,7 @@ namespace raymarch::motion
 namespace detail
 {
 
-// In the order of the names.
+// The inputs stand in the order of the directions' names.
 inline constexpr std::array<Input, protocol::walk_directions.size()> walks = {
     Input::Forward, Input::Back, Input::StrafeLeft, Input::StrafeRight, Input::Up, Input::Down};
 inline constexpr std::array<Input, protocol::turn_directions.size()> turns = {
@@ -37,13 +37,13 @@ inline constexpr std::array<Input, protocol::turn_directions.size()> turns = {
 
 } // namespace detail
 
-/// Of a direction of WALK, any case.
+/// The input for a direction of WALK. The case of letters is ignored.
 [[nodiscard]] constexpr std::optional<Input> walk_input(std::string_view direction) noexcept
 {
     return detail::input_named(direction, protocol::walk_directions, detail::walks);
 }
 
-/// Of a direction of TURN, any case.
+/// The input for a direction of TURN. The case of letters is ignored.
 [[nodiscard]] constexpr std::optional<Input> turn_input(std::string_view direction) noexcept
 {
     return detail::input_named(direction, protocol::turn_directions, detail::turns);

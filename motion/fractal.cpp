@@ -14,11 +14,11 @@ using engine::fractal::Number;
 using engine::fractal::Point;
 using engine::fractal::word;
 
-constexpr Number climb = word(512); ///< up or down, 1/128 a tick
+constexpr Number climb = word(512); ///< the height gained or lost in a tick, 1/128
 constexpr Number cosine = word(65532);
-constexpr Number sine = word(655); ///< of 0.01
+constexpr Number sine = word(655); ///< sin(0.01)
 
-/// +1, -1, or 0 when both or none are asked for.
+/// Returns +1 or -1, and 0 if both inputs or neither are set.
 int balance(Inputs inputs, Input plus, Input minus) noexcept
 {
     return (inputs.has(plus) ? 1 : 0) - (inputs.has(minus) ? 1 : 0);
@@ -26,7 +26,7 @@ int balance(Inputs inputs, Input plus, Input minus) noexcept
 
 Number moved(Number from, int direction, Number by) noexcept
 {
-    // Backwards is the same product subtracted, not the product of a negative direction.
+    // To go back, the hardware subtracts this product; it does not multiply a negated direction.
     return direction > 0 ? from + by : direction < 0 ? from - by : from;
 }
 
@@ -36,7 +36,7 @@ Point turned(const Point& forward, Number m) noexcept
             multiply(forward.x, -m) + multiply(forward.z, cosine)};
 }
 
-/// Whether the hardware lets a step end at this distance, but for its exception.
+/// Whether the hardware lets a step end at this distance. Its one exception is not handled here.
 bool is_free(Number distance) noexcept
 {
     return distance > hundredth;
@@ -73,8 +73,8 @@ World check(const World& world) noexcept
 {
     const engine::fractal::Distance distance = engine::fractal::scene_row(world.scene).distance;
     const Number there = distance(world.wanted);
-    // Closed lets a camera that stands in a wall out, but never deeper in: a scene may change
-    // around it.
+    // The scene may change around the camera, so that it stands in a wall. Closed then lets it
+    // leave the wall, but not go deeper.
     const bool accepted = is_free(there) || (world.collision == Collision::Faithful
                                                  ? world.in_wall
                                                  : there >= distance(world.position));

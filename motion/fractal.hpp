@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The user control of the fractal (source 001, section III): walking, flying and turning in a
-/// scene, with its collision test. Every movement of the hardware is a TICK and the CHECK behind
-/// it (docs/engine/fractal.md, "Movement").
+/// scene, with its collision test. Every movement of the hardware is a TICK followed by a CHECK
+/// (docs/engine/fractal.md, "Movement").
 #pragma once
 
 #include "engine/fractal/formats.hpp"
@@ -16,7 +16,7 @@ namespace raymarch::motion::fractal
 {
 
 enum class Collision : std::uint8_t {
-    Faithful, ///< the hardware's, which lets through the step behind a refused one
+    Faithful, ///< the hardware's test, which allows the step after a refused one
     Closed,   ///< no step ends inside a wall
 };
 
@@ -24,7 +24,7 @@ enum class Collision : std::uint8_t {
 struct World
 {
     engine::fractal::Point position{{}, engine::fractal::one, -engine::fractal::three_halves};
-    engine::fractal::Point wanted = position; ///< where a tick wants to go, until the check
+    engine::fractal::Point wanted = position; ///< where the tick would go if the check allows it
     engine::fractal::Point forward{{}, {}, engine::fractal::one}; ///< y never changes
     engine::fractal::Scene scene = engine::fractal::Scene::Menger;
     Collision collision = Collision::Faithful;
@@ -34,20 +34,20 @@ struct World
     bool operator==(const World&) const = default;
 };
 
-/// Wants to go where the inputs say, 0.01 units and turns of 0.01 a tick, and turns at once.
-/// Inputs that oppose each other cancel; of two turns the left one wins.
+/// Sets `wanted` as the inputs say, 0.01 units a tick, and turns at once, by 0.01 a tick. Opposite
+/// inputs cancel each other, but if both turns are set, the left one wins.
 [[nodiscard]] World tick(const World& world, Inputs inputs) noexcept;
 
-/// Goes there, or stays.
+/// Moves to `wanted` if the collision test allows it; otherwise the position stays.
 [[nodiscard]] World check(const World& world) noexcept;
 
-/// One tick and its check; Animate moves the hue on by one.
+/// Makes one tick and its check. Animate also adds one to the hue.
 [[nodiscard]] World step(const World& world, Inputs inputs) noexcept;
 
-/// Begins to move where the state says, with an even tick.
+/// Takes the position from the state. The first tick is an even one.
 [[nodiscard]] World enter(const protocol::State& state) noexcept;
 
-/// Writes what a step changes: position, direction and hue.
+/// Writes position, direction and hue into the state.
 void leave(const World& world, protocol::State& state) noexcept;
 
 } // namespace raymarch::motion::fractal

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What is asked of a movement during one step: keys held, buttons pressed, the words of WALK and
-/// TURN, or the timer of ANIMATE.
+/// The inputs of one step of a movement. They come from keys, from buttons, from WALK and TURN, or
+/// from the timer of ANIMATE.
 #pragma once
 
 #include <cstdint>
@@ -22,18 +22,18 @@ enum class Input : std::uint8_t {
     TurnDown,
     RollLeft,
     RollRight,
-    Widen, ///< the field of view
+    Widen, ///< makes the field of view wider
     Narrow,
-    Animate, ///< what the accelerator's scene does by itself
+    Animate, ///< the movement that the accelerator's scene makes by itself
 };
 
-/// Any number of inputs at once.
+/// A set of inputs.
 class Inputs
 {
   public:
     constexpr Inputs() noexcept = default;
     constexpr Inputs(Input input) noexcept
-        : bits_(bit(input)) {} // NOLINT(*-explicit-*): one is a set
+        : bits_(bit(input)) {} // NOLINT(*-explicit-*): one input is a set
 
     [[nodiscard]] constexpr bool has(Input input) const noexcept
     {

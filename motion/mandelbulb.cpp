@@ -44,11 +44,11 @@ int zoom_of(Int128 distance) noexcept
     return position_bits + height_bits - leading_one(distance);
 }
 
-/// Within 4 of the middle.
+/// Whether a position is within 4 units of the origin.
 bool within_reach(const Position& position) noexcept
 {
     const auto square = [](Int128 component) {
-        constexpr int dropped = 32; // what is left fits a double
+        constexpr int dropped = 32; // the remaining bits fit a double
         const auto upper = static_cast<std::int64_t>(component >> dropped);
         const double value = std::ldexp(static_cast<double>(upper), dropped - position_bits);
         return value * value;
@@ -58,7 +58,7 @@ bool within_reach(const Position& position) noexcept
 
 enum class Into : bool { FreeSpace, Anything };
 
-/// Adds `way`, if that is allowed.
+/// Adds `way` to the position if the new position is allowed.
 void move(Frame& frame, const Position& way, Into into) noexcept
 {
     const Position there = frame.position + way;
@@ -72,8 +72,8 @@ void move(Frame& frame, const Position& way, Into into) noexcept
         frame.arithmetic.scale = scale_at(frame.form, zoom_of(distance));
 }
 
-/// A distance along a direction, divided by 2^shift, in the steps of the frame's coordinates: the
-/// product is floored, then its part.
+/// The vector along `direction` whose length is the distance divided by 2^shift, in the frame's
+/// coordinates. The product is rounded down, and so is the quotient.
 Position part_of(const Frame& frame, Int128 distance, const Direction& direction,
                  int shift) noexcept
 {
@@ -88,7 +88,7 @@ Position negative(const Position& way) noexcept
 }
 
 constexpr int quarter = 2;
-constexpr int dive = 4; ///< Animate's sixteenth
+constexpr int dive = 4; ///< Animate dives by 1/2^4 of the distance
 
 void walk(Frame& frame, Inputs inputs) noexcept
 {
@@ -106,7 +106,7 @@ void walk(Frame& frame, Inputs inputs) noexcept
     if (inputs.has(Input::Forward)) {
         move(frame, part_of(frame, distance, frame.forward, quarter), Into::FreeSpace);
     } else {
-        if (distance == 0) // inside the set: out of it again, 1/64 a step
+        if (distance == 0) // the camera is inside the set, and leaves it by 1/64 a step
             distance = Int128(1) << (position_bits - 4);
         move(frame, negative(part_of(frame, distance, frame.forward, quarter)), Into::Anything);
     }
@@ -138,7 +138,7 @@ Vector normalised(const Vector& v) noexcept
     return length > 0 ? map(v, [&](double c) { return c / length; }) : v;
 }
 
-/// a cos + b sin.
+/// a cos + b sin, for vectors a and b.
 Vector turned(const Vector& a, const Vector& b, double degrees) noexcept
 {
     const double angle = degrees * (std::numbers::pi / 180);
@@ -147,7 +147,8 @@ Vector turned(const Vector& a, const Vector& b, double degrees) noexcept
     return {a.x * c + b.x * s, a.y * c + b.y * s, a.z * c + b.z * s};
 }
 
-/// Right and up, square to `forward` and to each other, with up as near as may be to `up`.
+/// Makes right and up perpendicular to `forward` and to each other. Up stays as near as possible to
+/// the old one.
 void set_sides(Frame& frame, const Vector& forward, const Vector& up) noexcept
 {
     const Vector right = normalised(cross(forward, up));
@@ -155,7 +156,7 @@ void set_sides(Frame& frame, const Vector& forward, const Vector& up) noexcept
     frame.up = to_words(cross(right, forward));
 }
 
-/// Degrees to the right, upwards and clockwise.
+/// A rotation in degrees: to the right, upwards and clockwise.
 struct Turn
 {
     double right = 0;
@@ -165,7 +166,7 @@ struct Turn
 
 void turn(Frame& frame, const Turn& by) noexcept
 {
-    if (by.right == 0 && by.up == 0 && by.roll == 0) // the words stay
+    if (by.right == 0 && by.up == 0 && by.roll == 0) // the words stay exactly as they are
         return;
     Vector forward = to_double(frame.forward);
     Vector right = to_double(frame.right);
@@ -180,7 +181,7 @@ void turn(Frame& frame, const Turn& by) noexcept
     set_sides(frame, forward, up);
 }
 
-/// Into the picture, until the last bits that N steps give show at the size of a pixel.
+/// Dives into the picture until the error of N steps is as large as a pixel.
 void animate(Frame& frame) noexcept
 {
     const int deepest = std::min(frame.arithmetic.steps - 3, frame.form == Form::Q8_57 ? 50 : 56);
@@ -194,7 +195,7 @@ void animate(Frame& frame) noexcept
 
 int scale_at(Form form, int zoom) noexcept
 {
-    const int enough = form == Form::Q8_57 ? 44 : 51; // 13 bits for the size of a distance
+    const int enough = form == Form::Q8_57 ? 44 : 51; // the size of a distance takes 13 bits
     return zoom <= enough ? 0 : std::min(zoom - 12, 60);
 }
 
@@ -216,13 +217,13 @@ World step(const World& world, Inputs inputs) noexcept
 std::optional<Frame> approach(const Frame& view, engine::PictureSize size, std::uint16_t x,
                               std::uint16_t y, int zoom) noexcept
 {
-    // The finest arithmetic, whatever the view is drawn with, on the set that it shows.
+    // The search uses the finest arithmetic on the same set, whatever the view is drawn with.
     Arithmetic exact = view.arithmetic;
     exact.steps = max_steps;
     exact.kept_bits = all_bits;
     exact.derivative = DerivativeForm::Sliding;
     exact.scale = 0;
-    constexpr int patience = 4000; // the last bits take a step each
+    constexpr int patience = 4000; // each of the last bits takes a step
     const Direction ray = ray_direction(view, size, x, y);
     const March<Wide> way =
         march<Wide>(view.position, ray, exact, {.epsilon_shift = 127, .evaluations = patience});
@@ -231,8 +232,8 @@ std::optional<Frame> approach(const Frame& view, engine::PictureSize size, std::
 
     const int level = std::clamp(zoom, min_zoom, max_zoom);
     const Int128 before = Int128(zoom_height) << (position_bits - level);
-    // The camera stands where float (24 bits) or double (53) stands as well, so that pictures by
-    // them can be compared; deeper, where it must.
+    // The position is rounded to float (24 bits) or double (53), so that pictures drawn with these
+    // can be compared. A deeper view needs all bits.
     const int grid = level <= 26 ? 23 : level <= 54 ? 52 : position_bits;
     const Int128 half = (Int128(1) << (position_bits - grid)) >> 1;
     Frame near = view;

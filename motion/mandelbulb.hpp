@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Moving before a Mandelbulb (source 003, §V.C): every way is measured in distances to its
-/// surface, so that a step is as large on the screen at any depth.
+/// Movement around a Mandelbulb (source 003, §V.C). A step is a fraction of the distance to the
+/// surface, so it looks equally large on the screen at any depth.
 #pragma once
 
 #include "engine/mandelbulb/frame.hpp"
@@ -15,7 +15,7 @@
 namespace raymarch::motion::mandelbulb
 {
 
-/// What a step needs and remembers: the camera, and the arithmetic that measures its distance.
+/// The camera, and the arithmetic that measures its distance. A step reads and changes them.
 struct World
 {
     engine::mandelbulb::Frame frame{};
@@ -24,29 +24,31 @@ struct World
 
 [[nodiscard]] World enter(const protocol::State& state) noexcept;
 
-/// Writes camera and frame scale into `state`; the rest stays.
+/// Writes the camera and the frame scale into `state`, and nothing else.
 void leave(const World& world, protocol::State& state) noexcept;
 
-/// Forward and Back by a quarter of the distance along the axis, strafing, Up and Down likewise;
-/// turning and rolling by 1 degree. No step leaves the sphere of radius 4 in which the estimate is
-/// a lower bound, and none but Back enters the set. Animate dives and rolls slowly, until the
-/// arithmetic shows nothing new.
+/// Makes one step. Forward and Back move by a quarter of the distance along the axis, and so do
+/// strafing, Up and Down; turning and rolling are by 1 degree. No step leaves the sphere of radius
+/// 4 in which the estimate is a lower bound, and only Back can enter the set. Animate dives and
+/// rolls slowly until the arithmetic has no more detail.
 [[nodiscard]] World step(const World& world, Inputs inputs) noexcept;
 
-/// The height that a zoom level counts by: neighbouring rays at distance D are D / 720 apart.
+/// The height that defines a zoom level: neighbouring rays at distance D are D / 720 apart.
 inline constexpr int zoom_height = 720;
 
-/// Zoom levels that a view may be asked at.
+/// The zoom levels that a view may have.
 inline constexpr int min_zoom = 8;
 inline constexpr int max_zoom = 58;
 
-/// The view of what pixel (x, y) of `view` shows, at zoom level z = log2(720 / D): the camera looks
-/// along the pixel's ray from the distance D before the surface. nullopt where the ray misses it.
+/// The view at zoom level z = log2(720 / D) of the point that pixel (x, y) of `view` shows. The
+/// camera looks along the pixel's ray from the distance D in front of the surface. The result is
+/// empty if the ray misses the surface.
 [[nodiscard]] std::optional<engine::mandelbulb::Frame>
 approach(const engine::mandelbulb::Frame& view, engine::PictureSize size, std::uint16_t x,
          std::uint16_t y, int zoom) noexcept;
 
-/// The frame scale of a view at zoom level z: 0 as long as the coordinates resolve a distance.
+/// The frame scale of a view at zoom level z. It is 0 as long as the coordinates resolve a
+/// distance.
 [[nodiscard]] int scale_at(engine::mandelbulb::Form form, int zoom) noexcept;
 
 } // namespace raymarch::motion::mandelbulb

@@ -12,22 +12,22 @@
 namespace raymarch::motion::marcher
 {
 
-/// Of the camera, seen from the target.
+/// The position of the camera, seen from its target.
 struct World
 {
     double yaw = 0;        ///< degrees, from +z towards +x
-    double pitch = 0;      ///< degrees, upwards; short of the poles
+    double pitch = 0;      ///< degrees, upwards; the poles are excluded
     std::int64_t zoom = 0; ///< the parameter's code
     bool operator==(const World&) const = default;
 };
 
-/// Turning and rolling inputs move the camera by 1 degree, Forward and Back change the distance by
-/// 1/32 unit inside the parameter's range, Animate turns by 1 degree. Inputs that oppose each other
-/// cancel; the rest does nothing.
+/// Makes one step. Turning and rolling move the camera by 1 degree, Forward and Back change the
+/// distance by 1/32 unit inside the parameter's range, and Animate turns by 1 degree. Opposite
+/// inputs cancel each other. The other inputs do nothing.
 [[nodiscard]] World step(const World& world, Inputs inputs) noexcept;
 
 [[nodiscard]] World enter(const protocol::State& state) noexcept;
-/// Writes the basis and the distance.
+/// Writes the camera's basis and its distance into the state.
 void leave(const World& world, protocol::State& state) noexcept;
 
 } // namespace raymarch::motion::marcher

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// One shape for the movements of all accelerators. Each is a value `World` with pure functions:
-/// `enter` makes it from a state, `step` moves it, `leave` writes it back.
+/// The common interface of the movements of all accelerators. Each movement is a type `World` with
+/// three pure functions: `enter` makes it from a state, `step` moves it, `leave` writes it back.
 #pragma once
 
 #include "motion/inputs.hpp"
@@ -13,16 +13,17 @@
 namespace raymarch::motion
 {
 
-/// Moves a state, and remembers what the state does not hold.
+/// Moves a state, and remembers between steps what the state does not hold.
 class Mover
 {
   public:
     virtual ~Mover() = default;
-    /// A state that is not as the last step left it is entered afresh.
+    /// Makes one step. If the state differs from the one that the last step left, `enter` is called
+    /// first.
     virtual void step(protocol::State& state, Inputs inputs) = 0;
 };
 
-/// The mover made of three functions of one accelerator.
+/// The mover that calls the three functions of one accelerator.
 template <auto Enter, auto Step, auto Leave>
 class WorldMover final : public Mover
 {
@@ -38,10 +39,10 @@ class WorldMover final : public Mover
 
   private:
     decltype(Enter(protocol::State())) world_;
-    std::optional<protocol::State> left_; ///< as the last step left it
+    std::optional<protocol::State> left_; ///< the state after the last step
 };
 
-/// How one accelerator moves; a line of the registry (movers.hpp).
+/// How one accelerator moves: one line of the registry in movers.hpp.
 struct MoverRow
 {
     const protocol::Accelerator* description;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The registry of movements: one line an accelerator, beside protocol/accelerators.hpp.
+/// The registry of movements. It has one line for each accelerator, as protocol/accelerators.hpp
+/// has.
 #pragma once
 
 #include "motion/fractal.hpp"
@@ -29,7 +30,7 @@ inline constexpr std::array movers = {
              make_mover<whitted::enter, whitted::step, whitted::leave>},
 };
 
-/// A mover for that accelerator; nullptr where nothing moves.
+/// Makes a mover for an accelerator; nullptr if nothing can move there.
 [[nodiscard]] inline std::unique_ptr<Mover> mover_of(const protocol::Accelerator& description)
 {
     for (const MoverRow& row : movers)

@@ -13,8 +13,8 @@ namespace
 
 namespace table = protocol::sphere;
 
-/// `value`, moved towards `up` and away from `down`, within the limits. What a host has set beyond
-/// them stays, but goes no further.
+/// Adds a step to `value` if `up` is set, and subtracts one if `down` is set, within the limits. A
+/// value that a host has set outside the limits is kept, but does not move further out.
 std::int32_t moved(std::int32_t value, Inputs inputs, Input up, Input down, std::int32_t low,
                    std::int32_t high) noexcept
 {
@@ -33,8 +33,8 @@ World step(const World& world, Inputs inputs) noexcept
     if (inputs.has(Animate))
         next.ball_x = world.ball_x < 540 ? world.ball_x + 5 : 100;
     next.eye.x = moved(world.eye.x, inputs, StrafeRight, StrafeLeft, world.low, world.high);
-    next.eye.y = moved(world.eye.y, inputs, Down, Up, world.low, world.high); // y points down
-    // The picture turns over where the eye is beyond the screen plane.
+    next.eye.y = moved(world.eye.y, inputs, Down, Up, world.low, world.high); // y grows downwards
+    // If the eye passed the screen plane, the picture would be upside down.
     next.eye.z = moved(world.eye.z, inputs, Forward, Back, world.low, world.screen - 1);
     next.screen = moved(world.screen, inputs, Narrow, Widen, next.eye.z + 1, world.high);
     return next;

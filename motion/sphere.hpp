@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The moving demo of the sphere tracer (source 002): the sphere steps to the right once a frame
-/// and starts again; and a camera that moves, which the source has only as parameters.
+/// and starts again at the left. The camera moves too, although the source has it only as
+/// parameters.
 #pragma once
 
 #include "engine/sphere/frame.hpp"
@@ -17,26 +18,26 @@ using engine::sphere::Point;
 
 inline constexpr std::int32_t camera_step = 10;
 
-/// What a step needs and changes; initially the hardware at power-up.
+/// The values that a step reads and changes. They begin as the hardware has them at power-up.
 struct World
 {
-    std::int32_t ball_x = 320; ///< of the first sphere
+    std::int32_t ball_x = 320; ///< x of the first sphere
     Point eye{320, 240, 0};
     std::int32_t screen = 1000; ///< z of the screen plane
-    std::int32_t low = 0;       ///< what the coordinates' registers hold, both included
+    std::int32_t low = 0;       ///< the range of a coordinate, with `high`; both ends are included
     std::int32_t high = 0xFFFF;
     bool operator==(const World&) const = default;
 };
 
-/// Animate moves the sphere by 5, from 540 on back to 100. The camera moves by 10 units, as far as
-/// its registers go, and not through the screen plane; Widen and Narrow move that plane. Turning
-/// does nothing: the camera looks along z. Of two opposite inputs neither counts.
+/// Makes one step. Animate moves the sphere by 5, and from 540 back to 100. The camera moves by 10
+/// units inside the range of its registers, and not through the screen plane. Widen and Narrow move
+/// that plane. Turning does nothing, because the camera looks along z. Opposite inputs cancel.
 [[nodiscard]] World step(const World& world, Inputs inputs) noexcept;
 
-/// The values as the design's registers hold them: the hardware's, unless corrected, lose the bits
-/// above 16, and its limits are theirs; otherwise the limits are the parameters' range.
+/// The values as the design's registers hold them. The hardware's registers, unless corrected, drop
+/// the bits above 16, and give the limits. Otherwise the limits are the ranges of the parameters.
 [[nodiscard]] World enter(const protocol::State& state) noexcept;
-/// Writes the first sphere's x, the camera and the screen plane.
+/// Writes the first sphere's x, the camera and the screen plane into the state.
 void leave(const World& world, protocol::State& state) noexcept;
 
 } // namespace raymarch::motion::sphere

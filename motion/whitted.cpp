@@ -16,7 +16,8 @@ constexpr std::array axes = {&Point::x, &Point::y, &Point::z};
 
 constexpr float kept_at_a_wall = 0.995F;
 
-// Of 0.03 rad. Written out, so that every library turns the scene alike.
+// Sine and cosine of 0.03 rad. They are constants, so that the result is the same with every
+// C library.
 constexpr float cosine = 0.99955003F;
 constexpr float sine = 0.0299955F;
 
@@ -30,7 +31,7 @@ Point scaled(const Point& v, float factor) noexcept
     return engine::map(v, [=](float c) { return c * factor; });
 }
 
-/// Where the ball is found to touch a wall, and where it is put back to.
+/// The position at which a ball touches a wall, and the position to which it is moved back.
 struct Limits
 {
     float touch;
@@ -49,7 +50,8 @@ void bounce_off_walls(Ball& ball, const World& world) noexcept
     for (const Axis axis : axes) {
         Limits low{world.box.low.*axis, world.box.low.*axis};
         Limits high{world.box.high.*axis, world.box.high.*axis};
-        // The source's program looks for walls of z elsewhere than it puts the balls back to.
+        // The source's program tests for the walls of z at other positions than it moves the balls
+        // to.
         if (world.rules == Rules::Original && axis == &Point::z) {
             low.touch = -16;
             high.touch = -5;
@@ -61,19 +63,20 @@ void bounce_off_walls(Ball& ball, const World& world) noexcept
     }
 }
 
-/// How long a ball rests after a collision: the slower, the longer it takes to get away.
+/// How many steps a ball rests after a collision. A slow ball takes longer to get away.
 int rest_after(const Point& velocity) noexcept
 {
     const float speed = std::sqrt(dot(velocity, velocity));
     return speed < 0.0001F ? 100 : speed < 0.001F ? 50 : 10;
 }
 
-/// What the first ball gives to the second, for the unit normal from the second to the first.
+/// The velocity that the first ball passes to the second. `normal` is the unit vector from the
+/// second to the first.
 Point exchanged(const Point& normal, const Point& approach, Rules rules) noexcept
 {
     if (rules == Rules::Repaired)
         return scaled(normal, dot(normal, approach));
-    // Each axis by itself, which is no reflection unless the normal is along an axis.
+    // Each axis is computed by itself. This is a reflection only if the normal is along an axis.
     const auto on = [&](Axis axis) { return normal.*axis * (normal.*axis * approach.*axis); };
     return {on(&Point::x), on(&Point::y), on(&Point::z)};
 }
@@ -88,7 +91,7 @@ void collide(Ball& ball, Ball& other, Rules rules) noexcept
     const Point normal = scaled(between, 1 / std::sqrt(squared));
     const Point approach = ball.velocity - other.velocity;
     if (rules == Rules::Repaired && dot(normal, approach) >= 0)
-        return; // they part already
+        return; // the balls already move apart
     const Point given = exchanged(normal, approach, rules);
     ball.velocity = ball.velocity - given;
     other.velocity = other.velocity + given;
@@ -98,7 +101,7 @@ void collide(Ball& ball, Ball& other, Rules rules) noexcept
 void collide_with_others(World& world, std::size_t i) noexcept
 {
     Ball& ball = world.balls[i];
-    // The report counts calls of this function, its program each other ball.
+    // The report counts calls of this function; its program counts each ball that is met.
     const bool counts_balls = world.rules == Rules::Original;
     const bool resting = ball.rest > 0;
     for (std::size_t j = 0; j < world.count; ++j) {
@@ -123,7 +126,7 @@ void move_balls(World& world) noexcept
     }
 }
 
-/// A turn of the plane of two axes; `direction` is 1 clockwise, -1 counter-clockwise.
+/// Turns the plane of two axes. `direction` is 1 for clockwise, -1 for counter-clockwise.
 struct Turn
 {
     Input input;
@@ -145,12 +148,12 @@ Point turned(Point p, const Turn& turn, Rules rules) noexcept
     const float s = turn.direction * sine;
     const float a = p.*turn.a;
     p.*turn.a = a * cosine + p.*turn.b * s;
-    // The source's program goes on with the new a, so that the scene shrinks.
+    // The source's program uses the new a here already, so that the scene shrinks.
     p.*turn.b = -(rules == Rules::Original ? p.*turn.a : a) * s + p.*turn.b * cosine;
     return p;
 }
 
-/// Velocities stay as they are.
+/// Turns the positions of the balls. Their velocities stay as they are.
 void turn_scene(World& world, Inputs inputs) noexcept
 {
     const auto asked = [=](const Turn& turn) { return inputs.has(turn.input); };
@@ -161,7 +164,7 @@ void turn_scene(World& world, Inputs inputs) noexcept
         world.balls[i].centre = turned(world.balls[i].centre, turn, world.rules);
 }
 
-/// A pair of opposite inputs: 1, -1, or 0.
+/// Returns 1 or -1 for one of two opposite inputs, and 0 if both or neither are set.
 float direction(Inputs inputs, Input forth, Input back) noexcept
 {
     return static_cast<float>(inputs.has(forth) ? 1 : 0) -
@@ -186,7 +189,7 @@ void set_value(protocol::State& state, std::size_t index, float value) noexcept
     state.codes[index] = static_cast<std::int64_t>(std::clamp(code, least, most));
 }
 
-/// Three values of a state, by their indices.
+/// Reads three values of a state, given their indices.
 struct PointOf
 {
     std::size_t x, y, z;

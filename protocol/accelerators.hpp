@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The registry of descriptions: one line an accelerator.
+/// The registry of descriptions. It has one line for each accelerator.
 #pragma once
 
 #include "protocol/accelerators/fractal.hpp"
@@ -18,10 +18,10 @@ inline constexpr std::array accelerators = {
     &mandelbulb::description, &whitted::description,
 };
 
-/// What is active where neither the hardware nor the user says otherwise.
+/// The accelerator that is active if neither the hardware nor the user names another.
 inline constexpr const Accelerator& default_accelerator = *accelerators[0];
 
-/// The description of that name (any case), or nullptr.
+/// Finds the description with this name, in any case of letters; nullptr if there is none.
 [[nodiscard]] constexpr const Accelerator* find_accelerator(std::string_view name) noexcept
 {
     for (const Accelerator* accelerator : accelerators)
@@ -30,8 +30,8 @@ inline constexpr const Accelerator& default_accelerator = *accelerators[0];
     return nullptr;
 }
 
-/// Where a description stands in the registry.
-/// It compares kinds, as g++'s undefined sanitizer takes no comparison of addresses for a constant.
+/// The index of a description in the registry. It compares kinds and not addresses, because with
+/// the undefined sanitizer of g++ a comparison of addresses is no constant expression.
 [[nodiscard]] constexpr std::size_t position_of(const Accelerator& description) noexcept
 {
     std::size_t position = 0;
@@ -40,7 +40,7 @@ inline constexpr const Accelerator& default_accelerator = *accelerators[0];
     return position;
 }
 
-/// The description of CAPABILITY's kind, or nullptr.
+/// Finds the description whose kind is that of CAPABILITY; nullptr if there is none.
 [[nodiscard]] constexpr const Accelerator* find_accelerator(std::uint8_t kind) noexcept
 {
     for (const Accelerator* accelerator : accelerators)

@@ -22,14 +22,14 @@ tl::expected<double, Fault> read_number(Text text, const ArgumentRange& range) n
         compare(*exact, *parse_decimal(range.max)) > 0)
         return tl::unexpected(argument_fault(text, range.allowed));
     std::string_view digits = text.bytes;
-    if (digits.starts_with('+')) // the grammar allows it, from_chars does not
+    if (digits.starts_with('+')) // the grammar allows a plus sign, from_chars does not
         digits.remove_prefix(1);
-    double value = 0; // what from_chars leaves when the number is too small for a double
+    double value = 0; // from_chars leaves this value if the number is too small for a double
     std::from_chars(digits.data(), digits.data() + digits.size(), value);
     return value;
 }
 
-/// To the nearest code, held inside the format.
+/// Rounds to the nearest code and clamps it to the format.
 std::int64_t nearest_code(const Parameter& parameter, double value) noexcept
 {
     const double code = std::nearbyint(std::ldexp(value, parameter.format.fraction_bits));
@@ -118,7 +118,7 @@ std::optional<Fault> apply_view(const Accelerator& accelerator, Text words, Stat
     const auto zoom_code = quantize(accelerator.parameters[zoom], zoom_text.bytes);
     if (!zoom_code) {
         Fault fault = argument_fault(zoom_text, {});
-        fault.parameter = zoom; // so that the reply tells its range
+        fault.parameter = zoom; // the reply then tells the range of the zoom
         return fault;
     }
     if (zoom_piece.found)
@@ -151,7 +151,7 @@ void randomise(const Accelerator& accelerator, std::string_view group, std::mt19
     };
     for (std::size_t i = 0; i < accelerator.parameters.size(); ++i) {
         const Parameter& parameter = accelerator.parameters[i];
-        // The upper end of a number with a tail is that end only with an empty tail.
+        // At the upper end of the range only an empty tail is valid, so this end is left out.
         const std::int64_t largest = std::min(
             parameter.max_scaled - (parameter.tail_bits > 0 ? 1 : 0), parameter.largest_code);
         if (in_group(i))
@@ -159,8 +159,8 @@ void randomise(const Accelerator& accelerator, std::string_view group, std::mt19
     }
     if (accelerator.camera && in_group(accelerator.camera->zoom)) {
         const double yaw = std::uniform_real_distribution(0.0, 360.0)(random);
-        // Points spread evenly over a sphere have an evenly spread sine of pitch; short of the
-        // poles.
+        // If the sine of the pitch is uniform, the points are uniform on the sphere. The poles
+        // are left out.
         const double sine = std::uniform_real_distribution(-0.999, 0.999)(random);
         const double pitch = std::asin(sine) * 180.0 / std::numbers::pi;
         set_orbit(accelerator, yaw, pitch, state);

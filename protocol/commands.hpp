@@ -34,7 +34,7 @@ enum class CommandId : std::uint8_t {
     Help,
 };
 
-/// Whether the command changes the registers, and so is refused while writes are locked.
+/// Whether the command changes the registers. If it does, it is refused while writes are locked.
 enum class Effect : std::uint8_t { Reads, Writes };
 
 /// What may follow the command's word.
@@ -48,7 +48,7 @@ struct CommandRow
     Effect effect;
     std::string_view arguments; ///< as HELP prints them; GROUP stands for the table's groups
     std::string_view summary;
-    Effect bare = Effect::Writes; ///< of a command that writes: what it does without words
+    Effect bare = Effect::Writes; ///< the effect of a command that writes, if it has no arguments
 };
 
 // Laid out by hand: one row a command.
@@ -82,7 +82,7 @@ inline constexpr std::array<std::string_view, 6> walk_directions = {"forward", "
 inline constexpr std::array<std::string_view, 8> turn_directions = {
     "left", "right", "up", "down", "roll_left", "roll_right", "wide", "narrow"};
 
-/// The command of that name (any case), or nullptr.
+/// Finds the command with this name, in any case of letters; nullptr if there is none.
 [[nodiscard]] constexpr const CommandRow* find_command(std::string_view name) noexcept
 {
     for (const CommandRow& row : commands)

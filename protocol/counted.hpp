@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// An array with room for the largest table that copies and compares only what is in use: a state
-/// of 17 numbers costs 17 numbers, whatever the largest accelerator needs.
+/// An array with room for the largest table. It copies and compares only the items in use, so a
+/// state of 17 numbers costs 17 numbers, whatever the largest accelerator needs.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,9 @@ template <typename T, std::size_t Capacity>
 class Counted
 {
   public:
-    /// All of them, zero.
+    /// Makes an array of all items, each zero.
     constexpr Counted() noexcept : Counted(Capacity) {}
-    /// The first `size` of them, zero.
+    /// Makes an array of `size` items, each zero.
     constexpr explicit Counted(std::size_t size) noexcept : size_(size)
     {
         std::fill_n(items_, size, T{});
@@ -43,7 +43,7 @@ class Counted
     [[nodiscard]] constexpr T* end() noexcept { return items_ + size_; }
     [[nodiscard]] constexpr const T* end() const noexcept { return items_ + size_; }
 
-    /// What one has beyond the size of the other is to be zero.
+    /// Compares two arrays. If one is longer, its remaining items must be zero.
     [[nodiscard]] friend constexpr bool operator==(const Counted& a, const Counted& b) noexcept
     {
         const Counted& longer = a.size_ > b.size_ ? a : b;
@@ -55,7 +55,7 @@ class Counted
 
   private:
     std::size_t size_;
-    T items_[Capacity]; // NOLINT(*-avoid-c-arrays): left as it is beyond `size_`
+    T items_[Capacity]; // NOLINT(*-avoid-c-arrays): items from `size_` on are not initialised
 };
 
 } // namespace raymarch::protocol

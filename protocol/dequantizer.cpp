@@ -14,7 +14,7 @@ namespace
 constexpr int max_fraction_digits = 20;
 constexpr std::size_t room = max_number_length;
 
-/// A magnitude as 64 bits before the point and 64 behind it.
+/// A magnitude with 64 integer bits and 64 fraction bits.
 struct Magnitude
 {
     std::uint64_t integer;
@@ -28,7 +28,7 @@ Magnitude magnitude_of(const Parameter& parameter, WideCode code) noexcept
     const int bits = parameter.code_fraction_bits();
     auto upper = static_cast<std::uint64_t>(code.upper);
     auto low = static_cast<std::uint64_t>(code.tail);
-    if (negative) { // the two's complement of both pieces together
+    if (negative) { // this negates both halves as one two's complement number
         upper = ~upper + (low == 0 ? 1 : 0);
         low = low == 0 ? 0 : (std::uint64_t{1} << tail) - low;
     }
@@ -37,15 +37,15 @@ Magnitude magnitude_of(const Parameter& parameter, WideCode code) noexcept
     return {bits == 64 ? 0 : upper >> bits, upper << (64 - bits) | (tail == 0 ? 0 : low)};
 }
 
-/// Decimal digits, the least significant first.
+/// Decimal digits. The least significant digit is first.
 struct Digits
 {
     std::array<char, room> text{};
     std::size_t count = 0;
-    bool carry = false; ///< the fraction was rounded up to 1
+    bool carry = false; ///< true if the fraction was rounded up to 1
 };
 
-/// `fraction` / 2^64 to `count` decimal places, to the nearest.
+/// Rounds `fraction` / 2^64 to the nearest number with `count` decimal places.
 Digits round_to(std::uint64_t fraction, int count) noexcept
 {
     detail::Wide scaled;
@@ -70,11 +70,12 @@ bool quantises_back(const Parameter& parameter, std::string_view text, WideCode 
         const auto back = quantize_wide(parameter, text);
         return back && *back == code;
     }
-    // Without the hold: a decimal that is only held at the largest code does not name it.
+    // There is no clamping here: a decimal that is merely clamped to the largest code does not
+    // name it.
     Parameter unheld = parameter;
     unheld.largest_code = INT64_MAX;
     if (code.upper < parameter.min_scaled || code.upper > parameter.max_scaled) {
-        // No frame can set it.
+        // No frame can set this code.
         unheld.positive = {.least = 0, .first_above = UINT64_MAX};
         unheld.negative = unheld.positive;
     }

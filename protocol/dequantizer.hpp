@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The code of a parameter to text: the shortest decimal that quantises back to it.
+/// Converts the code of a parameter to text: the shortest decimal that quantises back to it.
 #pragma once
 
 #include "protocol/parameters.hpp"
@@ -12,7 +12,7 @@
 namespace raymarch::protocol
 {
 
-/// Text of at most 32 characters, kept inside.
+/// A text of at most 32 characters, stored in the object.
 class ValueText
 {
   public:
@@ -29,10 +29,10 @@ class ValueText
     std::size_t size_ = 0;
 };
 
-/// The decimal with the fewest fraction digits that lies in the range and quantises back to `code`,
-/// and of those the nearest to it; for a choice its name, or its digits if it has none.
+/// Returns the decimal with the fewest fraction digits that is in the range and quantises back to
+/// `code`; of several, the nearest. For a choice it returns the name, or digits if it has no name.
 /// A code of the format that lies outside the range is printed as if the range were the whole
-/// format. `tail` is the code of the row behind one that has a tail.
+/// format. If the row has a tail, `tail` is the code of the next row.
 [[nodiscard]] ValueText to_text(const Parameter& parameter, std::int64_t code,
                                 std::int64_t tail = 0) noexcept;
 

@@ -7,7 +7,7 @@ namespace raymarch::protocol
 namespace
 {
 
-/// Other bytes are kept, for the reply to name, but a terminal shows nothing for them.
+/// Whether a terminal shows the byte. Other bytes are kept too, so that the reply can name them.
 bool is_visible(char c) noexcept
 {
     return c >= 0x20 && c <= 0x7E;
@@ -37,7 +37,7 @@ Typed EchoEditor::type(char c) noexcept
         --size_;
         return {.echo = is_visible(line_[size_]) ? "\b \b" : ""};
     }
-    if (size_ == line_.size()) // dropped: the line is too long already
+    if (size_ == line_.size()) // the line is already too long, so the byte is dropped
         return {};
     line_[size_++] = c;
     echo_ = c;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Typed characters to lines, for a person at a terminal program: echo, backspace, Enter as CR.
+/// Turns typed characters into lines, for a person at a terminal program. It makes the echo, and
+/// handles backspace and Enter, which is a CR.
 #pragma once
 
 #include "protocol/line_reader.hpp"
@@ -12,15 +13,15 @@
 namespace raymarch::protocol
 {
 
-/// What became of one typed byte.
+/// The result of one typed byte.
 struct Typed
 {
-    std::string_view echo; ///< to be sent back; valid until the next call
+    std::string_view echo; ///< the bytes to send back; valid until the next call
     bool line_ended = false;
 };
 
-/// Edits one line. Longer lines than the protocol's are kept one byte longer, so that the line
-/// reader behind finds them too long.
+/// Edits one line. A line that is too long for the protocol is kept with one byte too many, so that
+/// the line reader reports it.
 class EchoEditor
 {
   public:
@@ -31,7 +32,7 @@ class EchoEditor
 
     void reset() noexcept { *this = EchoEditor{}; }
 
-    /// Whether the last byte was a CR: an LF that comes next belongs to it.
+    /// Whether the last byte was a CR. An LF that follows belongs to the same line ending.
     [[nodiscard]] bool after_cr() const noexcept { return after_cr_; }
     void set_after_cr(bool after_cr) noexcept { after_cr_ = after_cr; }
 
@@ -40,7 +41,7 @@ class EchoEditor
     std::size_t size_ = 0;
     char echo_ = 0;
     bool ended_ = false;
-    bool after_cr_ = false; ///< the LF of CR LF is not a second Enter
+    bool after_cr_ = false; ///< if true, an LF is not a second Enter
 };
 
 } // namespace raymarch::protocol

@@ -37,8 +37,8 @@ enum class ErrorCode : std::uint8_t {
 struct ErrorRow
 {
     ErrorCode code;
-    std::string_view name;    ///< on the wire
-    std::string_view meaning; ///< what the sender did, or what is wrong here
+    std::string_view name;    ///< the code as the reply has it
+    std::string_view meaning; ///< the mistake of the sender, or the failure of the service
 };
 
 // Laid out by hand: one row a code.
@@ -83,14 +83,14 @@ consteval bool error_rows_in_order()
 static_assert(error_rows_in_order());
 } // namespace detail
 
-/// The first fault of a line: all that an ERR reply says.
+/// The first fault of a line. It holds all that an ERR reply says.
 struct Fault
 {
     ErrorCode code = ErrorCode::Syntax;
-    std::size_t column = 0; ///< from 1; 0 where none is known
+    std::size_t column = 0; ///< counted from 1; 0 if it is not known
     std::optional<ParameterIndex> parameter{};
     std::string_view word{};    ///< an unknown key or command, as written; points into the line
-    ParameterSet missing{};     ///< for MissingKey
+    ParameterSet missing{};     ///< the keys that are missing, for MissingKey
     std::string_view allowed{}; ///< a static sentence in place of the code's own meaning
 };
 

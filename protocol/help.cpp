@@ -22,7 +22,7 @@ void write_command(ReplyWriter& reply, const CommandRow& row) noexcept
     reply.end_line();
 }
 
-/// The groups of the table, each once, in table order.
+/// Collects the groups of the table, each once, in table order.
 void write_groups(ReplyWriter& reply, const Accelerator& accelerator) noexcept
 {
     reply << "# GROUP is";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The answers of HELP, made from the tables.
+/// Makes the answers of HELP from the tables.
 #pragma once
 
 #include "protocol/parameters.hpp"
@@ -11,8 +11,8 @@
 namespace raymarch::protocol
 {
 
-/// Lines beginning `# ` about `word`, or about everything when it is empty. False, and no line,
-/// when there is nothing of that name.
+/// Writes lines that begin with `# ` about `word`, or about everything if it is empty. Writes
+/// nothing and returns false if nothing has that name.
 [[nodiscard]] bool write_help(ReplyWriter& reply, const Accelerator& accelerator,
                               std::string_view word) noexcept;
 

@@ -38,7 +38,7 @@ std::optional<Line> LineReader::next(std::string_view& bytes) noexcept
             continue;
         }
         if (ends && size_ == 0 && piece.size() <= max_line_length)
-            return Line{.bytes = piece}; // the whole line stands in this chunk: no copy
+            return Line{.bytes = piece}; // the whole line is in this chunk, so it is not copied
 
         const std::size_t taken = std::min(buffer_.size() - size_, piece.size());
         std::copy_n(piece.data(), taken, buffer_.data() + size_);

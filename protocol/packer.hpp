@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Codes to register words, as straight code that the compiler makes from a parameter table.
+/// Packs codes into register words. The compiler makes code without branches from a parameter
+/// table.
 ///
-/// Two words that follow each other are one number of 64 bits, the first of them its upper half:
-/// most parameters that span words then are one piece.
+/// Two successive words are treated as one number of 64 bits, whose upper half is the first word.
+/// So most parameters that span words are one piece.
 #pragma once
 
 #include "protocol/parameters.hpp"
@@ -18,12 +19,12 @@ namespace raymarch::protocol
 namespace detail
 {
 
-/// Bits of one code that stand side by side in one pair of words.
+/// Bits of one code that are adjacent in one pair of words.
 struct PackedPiece
 {
     ParameterIndex parameter = 0;
-    std::uint8_t shift = 0; ///< bits of the code that stand elsewhere, below these
-    std::uint8_t lsb = 0;   ///< in the pair
+    std::uint8_t shift = 0; ///< how many lower bits of the code are in other pieces
+    std::uint8_t lsb = 0;   ///< the lowest bit of the piece in the pair
     std::uint16_t pair = 0;
     std::uint64_t mask = 0;
 };
@@ -41,7 +42,7 @@ consteval PackedPieces<N> packed_pieces(const std::array<Parameter, N>& table)
 {
     PackedPieces<N> pieces;
     for (std::size_t i = 0; i < N; ++i) {
-        PackedPiece* above = nullptr; // the slice before, upper bits of the same code
+        PackedPiece* above = nullptr; // the previous slice, with the upper bits of the same code
         for (const Slice& slice : table[i].placement()) {
             pieces.words = pieces.words > slice.word ? pieces.words : slice.word + 1U;
             const auto pair = static_cast<std::uint16_t>(slice.word / 2);
@@ -64,9 +65,9 @@ inline constexpr auto packed_pieces_of = packed_pieces(Table);
 
 } // namespace detail
 
-/// The words that hold the codes of `state`; `words` comes in zero. Not inlined: beside the code
-/// that has just written the codes, gcc would load two at once, across two stores, and wait for
-/// both.
+/// Packs the codes of `state` into `words`, which must be zero before. It is not inlined: next to
+/// the code that has just stored the codes, gcc would load two codes at once, and that load would
+/// have to wait until both stores are complete.
 template <const auto& Table>
 [[gnu::noinline]] constexpr void pack_table(const State& state, Words& words) noexcept
 {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How a parameter table is written down: rows with designated initialisers, passed through
-/// `complete`, which computes the codes of the ranges and defaults from their decimal text and
-/// refuses to compile a table that contradicts itself. Tables within the table (`S1.X` to `S14.R`)
-/// are one pattern, repeated by `repeated_rows`.
+/// The tools to write a parameter table. Its rows have designated initialisers and are passed
+/// through `complete`, which computes the codes of ranges and defaults from their decimal text. A
+/// table that contradicts itself does not compile. A table within the table (`S1.X` to `S14.R`) is
+/// one pattern, repeated by `repeated_rows`.
 #pragma once
 
 #include "protocol/parameters.hpp"
@@ -21,7 +21,7 @@ namespace raymarch::protocol
 namespace detail
 {
 
-/// Reached only by a table that contradicts itself; not constexpr, so that compiling stops there.
+/// Is called for a table that contradicts itself. It is not constexpr, so compilation stops there.
 inline void table_error(const char* /*what*/) {}
 
 consteval std::int64_t bound(std::string_view text, int fraction_bits)
@@ -70,7 +70,7 @@ consteval void complete_row(Parameter& row)
             table_error("the default is out of range");
         row.positive = limits(row.min_scaled, row.max_scaled);
         row.negative = limits(-row.max_scaled, -row.min_scaled);
-        if (row.initial_code > own.max_code()) // 1.0 in a format that ends below it
+        if (row.initial_code > own.max_code()) // the default is 1.0, and the format ends below it
             row.initial_code = own.max_code();
     }
     // The upper end may lie one code above the format (1.0 in Q1.17); the lower one may not.
@@ -87,8 +87,9 @@ consteval void complete_row(Parameter& row)
 
 } // namespace detail
 
-/// Fills in the computed members of a table and checks it: keys unique and upper case, ranges and
-/// defaults representable, slices as wide as their format, no bit of a register used twice.
+/// Fills in the computed members of a table and checks it. Keys must be unique and upper case,
+/// ranges and defaults must fit their formats, slices must be as wide as the format, and no bit of
+/// a register may be used twice.
 template <std::size_t N>
 consteval std::array<Parameter, N> complete(std::array<Parameter, N> table)
 {
@@ -118,7 +119,7 @@ consteval std::array<Parameter, N> complete(std::array<Parameter, N> table)
     return table;
 }
 
-/// What a complete frame names: every value that is no row of a table.
+/// The parameters that a complete frame names: all values except rows of a table within the table.
 template <std::size_t N>
 consteval ParameterSet frame_of(const std::array<Parameter, N>& table)
 {
@@ -128,7 +129,7 @@ consteval ParameterSet frame_of(const std::array<Parameter, N>& table)
     return frame;
 }
 
-/// The lower bits of the wide number in the row before: `.tail_bits = 32` there, this behind it.
+/// Makes the row for the lower bits of a wide number. The previous row must say `.tail_bits = 32`.
 consteval Parameter tail_of(const Parameter& upper, std::array<Slice, max_slices> slices,
                             std::uint8_t slice_count)
 {
@@ -193,8 +194,8 @@ struct RowKeys
     static constexpr auto storage = make();
 };
 
-/// `pattern` once for each row of `Keys`, each `words_per_row` words further on than the one
-/// before. Defaults may be changed row by row before the table is completed.
+/// Repeats `pattern` once for each row of `Keys`. Each repetition is `words_per_row` words after
+/// the previous one. Defaults may be changed row by row before the table is completed.
 template <typename Keys>
 constexpr auto repeated_rows(const std::array<Parameter, Keys::columns>& pattern,
                              std::uint16_t words_per_row)
@@ -211,7 +212,7 @@ constexpr auto repeated_rows(const std::array<Parameter, Keys::columns>& pattern
     return table;
 }
 
-/// Tables one behind the other.
+/// Joins several tables.
 template <std::size_t... N>
 constexpr auto joined(const std::array<Parameter, N>&... tables)
 {

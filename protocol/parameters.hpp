@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What a row of a parameter table says, and what a description of an accelerator is made of.
+/// The types of a row of a parameter table and of the description of an accelerator.
 ///
-/// Parser, packer, help, documents, SystemVerilog and state file read only this. How a table is
-/// written down and checked: parameter_table.hpp.
+/// Parser, packer, help, documents, SystemVerilog package and state file read only this.
+/// parameter_table.hpp has the tools to write and check a table.
 #pragma once
 
 #include "protocol/counted.hpp"
@@ -21,7 +21,8 @@
 namespace raymarch::protocol
 {
 
-/// A Q-format at run time: two's complement with the sign among the integer bits, or unsigned.
+/// A Q-format as a run-time value. It is two's complement, with the sign among the integer bits, or
+/// unsigned.
 struct Format
 {
     bool is_signed = false;
@@ -29,7 +30,7 @@ struct Format
     std::uint8_t fraction_bits = 0;
 
     [[nodiscard]] constexpr int width() const noexcept { return integer_bits + fraction_bits; }
-    /// Of a format of at most 64 bits, signed, or 63 without a sign.
+    /// The largest code. Precondition: at most 64 bits if signed, 63 if unsigned.
     [[nodiscard]] constexpr std::int64_t max_code() const noexcept
     {
         return static_cast<std::int64_t>((std::uint64_t{1} << (width() - (is_signed ? 1 : 0))) - 1);
@@ -49,7 +50,7 @@ struct Format
     return {false, integer_bits, fraction_bits};
 }
 
-/// Position of a parameter in its table.
+/// The position of a parameter in its table.
 using ParameterIndex = std::uint8_t;
 
 /// Bits [msb:lsb] of one register word. A parameter that spans words lists its upper part first.
@@ -58,66 +59,67 @@ struct Slice
     std::uint16_t word = 0;
     std::uint8_t msb = 0;
     std::uint8_t lsb = 0;
-    // Filled in by complete(): which bit of the parameter stands at lsb, and as many ones as bits.
+    // complete() fills these in: which bit of the parameter is at lsb, and the mask of the slice.
     std::uint8_t shift = 0;
     std::uint32_t mask = 0;
 
     [[nodiscard]] constexpr int width() const noexcept { return msb - lsb + 1; }
 };
 
-/// The most pieces that a parameter is cut into.
+/// The largest number of slices of a parameter.
 inline constexpr std::size_t max_slices = 3;
 
-/// The magnitudes that a parameter takes, in half codes: from `least` to below `first_above`.
+/// The magnitudes that a parameter may have, in half codes, from `least` to below `first_above`.
 struct Limits
 {
-    std::uint64_t least = UINT64_MAX; ///< as they stand here: none
+    std::uint64_t least = UINT64_MAX; ///< the initial limits allow no value
     std::uint64_t first_above = 0;
 };
 
-/// One value that a host may set, or the lower bits of the one before it.
+/// One value that a host may set, or the lower bits of the previous row's value.
 struct Parameter
 {
-    std::string_view key;     ///< upper case, as on the wire; with a dot: a row of a table
+    std::string_view key; ///< in upper case; a key with a dot belongs to a table within the table
     std::string_view meaning; ///< for help and documents
-    std::string_view unit;    ///< empty where there is none
-    std::string_view group;   ///< what RESET and RANDOM may name
+    std::string_view unit;    ///< empty if the value has no unit
+    std::string_view group;   ///< the name that RESET and RANDOM take
     Format format;
     std::string_view min; ///< decimal text, inclusive; empty for choices
     std::string_view max;
     std::string_view initial; ///< decimal text, or the name of a choice
     std::array<Slice, max_slices> slices{};
-    std::uint8_t slice_count = 1;                ///< 0: kept by the service, in no register
-    std::uint8_t tail_bits = 0;                  ///< how many low bits the next row holds
+    std::uint8_t slice_count = 1; ///< 0 if the value is in no register, only in the service
+    std::uint8_t tail_bits = 0;   ///< how many lower bits are in the next row
     std::span<const std::string_view> choices{}; ///< names of the codes 0, 1, …; empty for numbers
 
-    // Filled in by complete(): the range in units of 2^-code_fraction_bits, the default's code, and
-    // the limits that the quantizer compares with.
+    // complete() fills these in: the range in units of 2^-code_fraction_bits, the default's code,
+    // and the limits that the quantizer compares with.
     std::int64_t min_scaled = 0;
     std::int64_t max_scaled = 0;
     std::int64_t initial_code = 0;
-    std::int64_t largest_code = 0; ///< the largest that code_width() bits hold
-    Limits positive{};             ///< of numbers without a minus sign
-    Limits negative{};             ///< with one; a negative zero is a zero
+    std::int64_t largest_code = 0; ///< the largest code of code_width() bits
+    Limits positive{};             ///< for numbers without a minus sign
+    Limits negative{};             ///< for numbers with a minus sign; -0 is zero
 
     [[nodiscard]] constexpr std::span<const Slice> placement() const noexcept
     {
         return std::span(slices).first(slice_count);
     }
     [[nodiscard]] constexpr bool is_choice() const noexcept { return !choices.empty(); }
-    /// The lower bits of a number that is wider than a code: no value of its own.
+    /// Whether this row holds only the lower bits of the previous row's number.
     [[nodiscard]] constexpr bool is_tail() const noexcept { return key.empty(); }
-    /// Part of a table such as the spheres of a scene: set by SET, not needed in a frame.
+    /// Whether this row belongs to a table within the table, such as the spheres of a scene. Such a
+    /// value can be given with SET and is not needed in a frame.
     [[nodiscard]] constexpr bool is_row() const noexcept
     {
-        // Not find(): gcc's sanitizers take its test for a null pointer out of constant
-        // expressions.
+        // find() cannot be used: with the sanitizers of gcc its test for a null pointer is no
+        // constant expression.
         for (const char c : key)
             if (c == '.')
                 return true;
         return false;
     }
-    /// The bits of this row's own code, and those of them that are a fraction.
+    /// The width of this row's own code, and the number of its fraction bits.
     [[nodiscard]] constexpr int code_width() const noexcept { return format.width() - tail_bits; }
     [[nodiscard]] constexpr int code_fraction_bits() const noexcept
     {
@@ -125,7 +127,7 @@ struct Parameter
     }
 };
 
-/// The largest table that fits a State.
+/// The size of the largest table that fits a State.
 inline constexpr std::size_t max_parameters = 256;
 
 /// Finds a key in its table. It is a hash table with open addressing, made at compile time.
@@ -172,7 +174,8 @@ class KeyIndex
 
     std::array<ParameterIndex, 2 * max_parameters> slots_{};
 };
-/// The most parameter words of any accelerator: from offset 0x100 to the middle of the page.
+
+/// The largest number of parameter words. They begin at offset 0x100 of the page.
 inline constexpr std::size_t max_parameter_words = (0x800 - 0x100) / 4;
 
 /// The parameter words of one accelerator, `word_count` of them.
@@ -183,14 +186,14 @@ struct State
 {
     Counted<std::int64_t, max_parameters> codes;
 
-    /// With room for any table, all zero.
+    /// Makes a state with room for any table. All codes are zero.
     constexpr State() noexcept = default;
-    /// For a table of that size, all zero.
+    /// Makes a state for a table of this size. All codes are zero.
     constexpr explicit State(std::size_t size) noexcept : codes(size) {}
     bool operator==(const State&) const = default;
 };
 
-/// A subset of a table, by index.
+/// A set of parameters of a table, by their indices.
 class ParameterSet
 {
   public:
@@ -212,7 +215,7 @@ class ParameterSet
         return count;
     }
     [[nodiscard]] constexpr bool any() const noexcept { return !(*this == ParameterSet()); }
-    /// Those of `all` that are not in this one.
+    /// The parameters of `all` that are not in this set.
     [[nodiscard]] constexpr ParameterSet missing_of(const ParameterSet& all) const noexcept
     {
         ParameterSet missing;
@@ -226,7 +229,7 @@ class ParameterSet
     std::array<std::uint32_t, max_parameters / 32> bits_{}; // of 32: quicker on the board
 };
 
-/// The twelve parameters that make a camera; what VIEW sets and the basis check looks at.
+/// The parameters of a camera. VIEW sets them, and the basis check reads them.
 struct OrbitCamera
 {
     std::array<ParameterIndex, 3> forward;
@@ -235,13 +238,13 @@ struct OrbitCamera
     ParameterIndex zoom;
 };
 
-/// The three channels that HUE sets.
+/// The three colour channels that HUE sets.
 struct Colour
 {
     std::array<ParameterIndex, 3> channels;
 };
 
-/// A view worth looking at: the defaults, changed by `settings` in the syntax of SET.
+/// A named view. It is the defaults, changed by `settings`, which has the syntax of SET.
 struct Preset
 {
     std::string_view name;
@@ -256,7 +259,7 @@ struct PictureSize
     bool operator==(const PictureSize&) const = default;
 };
 
-/// Everything that the software knows of one accelerator, except how it computes.
+/// All that the software knows about one accelerator, except how it computes a picture.
 struct Accelerator
 {
     std::string_view name;
@@ -264,26 +267,26 @@ struct Accelerator
     std::uint8_t kind;               ///< CAPABILITY[31:24]
     std::uint16_t first_word_offset; ///< byte offset of parameter word 0
     std::uint16_t word_count;
-    PictureSize size;     ///< what the source draws
-    PictureSize max_size; ///< what the model draws
+    PictureSize size;     ///< the picture size of the source
+    PictureSize max_size; ///< the largest picture size of the model
     std::uint8_t ray_units;
     std::uint32_t clock_hz;
     std::span<const Parameter> parameters;
     KeyIndex keys;                               ///< of `parameters`
     void (*pack)(const State&, Words&) noexcept; ///< pack_table() of `parameters`
-    ParameterSet frame;                          ///< what a complete frame names, see frame_of()
+    ParameterSet frame;                          ///< the keys of a complete frame, see frame_of()
     std::span<const Preset> presets;
     std::optional<OrbitCamera> camera;
     std::optional<Colour> colour;
-    std::optional<ParameterIndex> scene; ///< the choice of scenes
+    std::optional<ParameterIndex> scene; ///< the parameter that chooses the scene
 };
 
-/// The index of `key`, in upper or lower case. It is compared first with the key at `guess`,
-/// because hosts mostly write the keys in table order.
+/// Finds the index of `key`, in any case of letters. It looks at `guess` first, because keys mostly
+/// come in table order.
 [[nodiscard]] constexpr std::optional<ParameterIndex>
 find_parameter(const Accelerator& accelerator, std::string_view key, std::size_t guess = 0) noexcept
 {
-    if (key.empty()) // a tail has no key
+    if (key.empty()) // an empty key names no value
         return std::nullopt;
     const std::span<const Parameter> table = accelerator.parameters;
     if (guess < table.size() && equal_ignoring_case(table[guess].key, key))
@@ -291,7 +294,7 @@ find_parameter(const Accelerator& accelerator, std::string_view key, std::size_t
     return accelerator.keys.find(table, key);
 }
 
-/// The code of a choice from its name (any case) or its single digit.
+/// Finds the code of a choice from its name, in any case of letters, or from its single digit.
 [[nodiscard]] constexpr std::optional<std::int64_t> find_choice(const Parameter& parameter,
                                                                 std::string_view text) noexcept
 {
@@ -304,7 +307,7 @@ find_parameter(const Accelerator& accelerator, std::string_view key, std::size_t
     return std::nullopt;
 }
 
-/// The defaults of a table.
+/// Makes the state with the defaults of a table.
 [[nodiscard]] constexpr State initial_state(const Accelerator& accelerator) noexcept
 {
     State state(accelerator.parameters.size());

@@ -13,10 +13,11 @@ namespace
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// Destination and source; fixed in the source's hardware.
+/// The destination and source addresses. They are fixed in the hardware of source 001.
 constexpr std::array<std::uint8_t, 12> addresses = {0x88, 0x66, 0x5A, 0x03, 0x48, 0xB0,
                                                     0x11, 0x11, 0x11, 0x11, 0x11, 0x11};
-/// One byte where Ethernet has two: the data's first byte serves as the second.
+/// The type has one byte and not two as in Ethernet. The first byte of data takes the second's
+/// place.
 constexpr std::uint8_t type_byte = 0x00;
 constexpr std::size_t data_offset = addresses.size() + 1;
 constexpr std::array<std::uint8_t, 50> start_data = [] {
@@ -27,7 +28,8 @@ constexpr std::array<std::uint8_t, 50> start_data = [] {
 constexpr std::size_t row_number_bytes = 4;
 
 static_assert(start_frame_bytes == data_offset + start_data.size());
-static_assert(start_frame_bytes + fcs_bytes < row_frame_bytes); // a length tells which it is
+static_assert(start_frame_bytes + fcs_bytes <
+              row_frame_bytes); // so the length tells the kind of frame
 
 std::uint32_t check_sequence(Bytes bytes) noexcept
 {
@@ -40,7 +42,7 @@ std::array<std::uint8_t, fcs_bytes> low_byte_first(std::uint32_t word) noexcept
             static_cast<std::uint8_t>(word >> 16), static_cast<std::uint8_t>(word >> 24)};
 }
 
-/// Appends to a frame's storage, which has room for the longest.
+/// Appends to the storage of a frame, which has room for the longest frame.
 class FrameWriter
 {
   public:
@@ -73,8 +75,8 @@ std::uint32_t type_of(Bytes frame, std::size_t at) noexcept
     return frame.size() < at + 2 ? 0U : static_cast<std::uint32_t>(frame[at] << 8 | frame[at + 1]);
 }
 
-/// What switches put behind the addresses: a tag of IEEE 802.1Q, or several (802.1ad; 9100 is what
-/// older switches write). No frame of ours has such a byte there.
+/// Whether a tag follows the addresses. Switches insert a tag of IEEE 802.1Q or several of 802.1ad;
+/// older switches write 9100. Our own frames never have such bytes at this place.
 std::size_t tag_bytes(Bytes frame) noexcept
 {
     std::size_t size = 0;
@@ -85,8 +87,9 @@ std::size_t tag_bytes(Bytes frame) noexcept
     }
 }
 
-/// From the type to the last byte of data, without a check sequence if it has one and it is right,
-/// which covers the tags, too; empty when the length is none of ours.
+/// Returns the bytes from the type to the last byte of data, without the check sequence if there is
+/// a correct one. The check sequence covers the tags too. The result is empty if the length is
+/// wrong.
 Bytes content(Bytes frame, std::size_t tags) noexcept
 {
     for (const std::size_t size : {start_frame_bytes + tags, row_frame_bytes + tags})
@@ -126,7 +129,7 @@ FrameFate PictureAssembler::judge(Bytes frame)
     if (frame.size() < addresses.size() ||
         !std::ranges::equal(frame.first(addresses.size()), addresses))
         return FrameFate::Foreign;
-    constexpr std::uint32_t least_type = 0x0600; // below, Ethernet has lengths
+    constexpr std::uint32_t least_type = 0x0600; // smaller values are lengths in Ethernet
     const std::size_t tags = tag_bytes(frame);
     const Bytes typed = content(frame, tags);
     if (typed.empty() && type_of(frame, addresses.size() + tags) >= least_type)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `640x480` to a picture's size, `64x48+10+20` to a part of a picture.
+/// Reads the size of a picture, `640x480`, or a part of a picture, `64x48+10+20`.
 #pragma once
 
 #include "protocol/parameters.hpp"
@@ -12,7 +12,8 @@
 namespace raymarch::protocol
 {
 
-/// Two decimal numbers joined by `x`, each from 1 to that of `largest`; nothing for other text.
+/// Reads two decimal numbers joined by `x`, each from 1 to that of `largest`. The result is empty
+/// for any other text.
 [[nodiscard]] inline std::optional<PictureSize> parse_size(std::string_view text,
                                                            PictureSize largest) noexcept
 {
@@ -36,8 +37,8 @@ struct Tile
     PictureSize size;
 };
 
-/// A size, and the columns and rows left of it and above it; nothing for other text, or for a tile
-/// that is not inside the picture.
+/// Reads a size, then the number of columns to its left and of rows above it. The result is empty
+/// for any other text, and for a tile that is not inside the picture.
 [[nodiscard]] inline std::optional<Tile> parse_tile(std::string_view text,
                                                     PictureSize picture) noexcept
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// TABLE: the extended registers, and parameters to and from register words.
+/// TABLE: the extended registers. Also converts parameters to register words and back.
 #pragma once
 
 #include "protocol/parameters.hpp"
@@ -13,7 +13,7 @@
 namespace raymarch::protocol
 {
 
-/// The register page: one AXI-lite slave of 4 KiB, 32-bit words.
+/// The register page: one AXI-lite slave of 4 KiB with 32-bit words.
 inline constexpr std::size_t register_page_bytes = 4096;
 
 /// Byte offsets; the names are those of the table below.
@@ -92,7 +92,7 @@ inline constexpr std::uint32_t fault = 1U << 3;
     return {static_cast<std::uint16_t>(word >> 16), static_cast<std::uint16_t>(word)};
 }
 
-/// The words that hold `state`; bits that no parameter owns are 0.
+/// Packs `state` into words. Bits that belong to no parameter are 0.
 [[nodiscard]] constexpr Words pack(const Accelerator& accelerator, const State& state) noexcept
 {
     Words words(accelerator.word_count);
@@ -100,8 +100,8 @@ inline constexpr std::uint32_t fault = 1U << 3;
     return words;
 }
 
-/// The state that `words` hold: the inverse of pack, sign-extended by each format. What no register
-/// holds is at its default.
+/// Unpacks `words` into a state, the inverse of pack. Signed formats are sign-extended. A value
+/// that is in no register gets its default.
 [[nodiscard]] constexpr State unpack(const Accelerator& accelerator,
                                      std::span<const std::uint32_t> words) noexcept
 {

@@ -12,10 +12,10 @@ namespace raymarch::protocol
 namespace
 {
 
-/// An unknown word is repeated in upper case, unless it is longer than any that could be meant.
+/// A reply repeats an unknown word in upper case, if it is not longer than this.
 constexpr std::size_t longest_repeated_word = 32;
 
-/// The last parameter of the table within the table whose keys begin so.
+/// Finds the last parameter of the table within the table whose keys have this prefix.
 const Parameter* last_of_table(const Accelerator& accelerator, std::string_view table) noexcept
 {
     const Parameter* last = nullptr;
@@ -152,7 +152,8 @@ void write_words(ReplyWriter& reply, const Accelerator& accelerator, const Words
 
 void write_keys(ReplyWriter& reply, const Accelerator& accelerator) noexcept
 {
-    // "S1.X S1.Y … S14.R" would fill a screen: the columns of a table's first row stand for all.
+    // All keys, "S1.X S1.Y … S14.R", would fill a screen. So only the first row of such a table and
+    // its last key are listed.
     std::string_view row;   // "S1", "S2": the row that the last key belongs to
     std::string_view table; // "S"
     for (const Parameter& parameter : accelerator.parameters) {

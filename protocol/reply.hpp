@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Outcomes to reply lines: one line each, CR LF, with a checksum where the request had one.
+/// Writes reply lines. Each ends in CR LF, and has a checksum if the request had one.
 #pragma once
 
 #include "protocol/errors.hpp"
@@ -15,25 +15,25 @@
 namespace raymarch::protocol
 {
 
-/// The longest answer that any request has (HELP) fits in so many bytes; a test proves it.
+/// The size of the buffer. The longest answer of any request (HELP) fits; a test proves it.
 inline constexpr std::size_t longest_reply = 8192;
 
-/// Writes the reply lines of one request into a buffer of its own; allocates nothing. Text beyond
-/// the buffer is cut off, which `overflowed` reports.
+/// Writes the reply lines of one request into a buffer inside the object and allocates nothing. If
+/// the buffer is full, further text is dropped and `overflowed` is true.
 class ReplyWriter
 {
   public:
-    /// Starts a new reply; `checksummed` lines end in `*HH`.
+    /// Starts a new reply. If `checksummed` is true, its lines end in `*HH`.
     void begin(bool checksummed) noexcept;
 
     ReplyWriter& operator<<(std::string_view text) noexcept;
     ReplyWriter& operator<<(char c) noexcept { return *this << std::string_view{&c, 1}; }
     ReplyWriter& operator<<(std::uint64_t number) noexcept;
 
-    /// Eight upper-case hex digits.
+    /// Writes eight upper-case hex digits.
     ReplyWriter& hex(std::uint32_t word) noexcept;
 
-    /// Ends the present line.
+    /// Ends the current line.
     void end_line() noexcept;
 
     [[nodiscard]] std::string_view text() const noexcept { return {buffer_.data(), size_}; }
@@ -47,23 +47,24 @@ class ReplyWriter
     bool overflowed_ = false;
 };
 
-/// `ERR CODE col=N key=K : what is allowed`, ended.
+/// Writes the line `ERR CODE col=N key=K : what is allowed` and ends it.
 void write_fault(ReplyWriter& reply, const Accelerator& accelerator, const Fault& fault) noexcept;
 
-/// `KEY=VALUE,…` for every parameter, in table order.
+/// Writes `KEY=VALUE,…` for every parameter, in table order.
 void write_state(ReplyWriter& reply, const Accelerator& accelerator, const State& state) noexcept;
 
-/// `KEY=VALUE` of one parameter.
+/// Writes `KEY=VALUE` for one parameter.
 void write_assignment(ReplyWriter& reply, const Accelerator& accelerator, const State& state,
                       std::size_t index) noexcept;
 
-/// ` KEY` for each parameter; of a table within the table its first row and its last key.
+/// Writes ` KEY` for each parameter. For a table within the table it writes only the first row and
+/// the last key.
 void write_keys(ReplyWriter& reply, const Accelerator& accelerator) noexcept;
 
-/// ` WWWWWWWW` for each parameter word.
+/// Writes ` WWWWWWWW` for each parameter word.
 void write_words(ReplyWriter& reply, const Accelerator& accelerator, const Words& words) noexcept;
 
-/// What a value of this parameter may be: "a number 0 to 10", "sphere, cube, … or 0 to 3".
+/// Writes which values a parameter may have: "a number 0 to 10", "sphere, cube, … or 0 to 3".
 void write_allowed(ReplyWriter& reply, const Parameter& parameter) noexcept;
 
 } // namespace raymarch::protocol

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The exact value of a number to a parameter's code: the range, the rounding, the largest code.
+/// Checks the range of a number and rounds it to the code of a parameter.
 #pragma once
 
 #include "protocol/decimal.hpp"
@@ -14,8 +14,8 @@ namespace raymarch::protocol
 
 enum class Fits : std::uint8_t { Yes, No };
 
-/// `doubled` is the magnitude in half codes, with one bit more than the format: enough to see a
-/// tie. The only branches are those that a good number never takes, so that they cost nothing.
+/// `doubled` is the magnitude in half codes. It has one bit more than the format, so a tie can be
+/// seen. A valid number never takes one of the branches, so the processor predicts them well.
 inline Fits check_and_round(const Parameter& parameter, bool negative, Scaled doubled,
                             std::int64_t& code) noexcept
 {

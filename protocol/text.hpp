@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A piece of a line that remembers where it stood, and the few ASCII rules of the protocol.
+/// A part of a line that knows its column, and the few ASCII rules of the protocol.
 ///
-/// The locale never counts: keys and words are ASCII, whatever the environment says.
+/// The locale is ignored: keys and words are ASCII, whatever the environment says.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,7 @@ namespace raymarch::protocol
     return true;
 }
 
-/// Bytes of a line with the column (from 1) of the first of them.
+/// Bytes of a line, and the column of the first byte, counted from 1.
 struct Text
 {
     std::string_view bytes;
@@ -46,7 +46,7 @@ struct Text
 
     [[nodiscard]] constexpr bool empty() const noexcept { return bytes.empty(); }
 
-    /// From byte `at` on.
+    /// The rest from byte `at` on.
     [[nodiscard]] constexpr Text from(std::size_t at) const noexcept
     {
         return {bytes.substr(at), column + at};
@@ -55,8 +55,8 @@ struct Text
     {
         return {bytes.substr(0, count), column};
     }
-    /// Without blanks at both ends; the column is that of the first byte that is no blank, or of
-    /// the end.
+    /// The text without blanks at both ends. Its column is that of the first byte that is not
+    /// blank, or that of the end.
     [[nodiscard]] constexpr Text trimmed() const noexcept
     {
         std::size_t begin = 0;
@@ -69,8 +69,8 @@ struct Text
     }
 };
 
-/// The part of `rest` before the next `separator`, or all of it; `rest` moves behind the separator,
-/// and `found` says whether there was one.
+/// Takes the part of `rest` before the next `separator`, or all of it. `rest` then begins after the
+/// separator, and `found` says whether there was one.
 struct Piece
 {
     Text text;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What a description offers to look at, for whoever has buttons and LEDs and no lines: presets,
-/// scenes, and a colour as three bits.
+/// Presets, scenes, and the colour as three bits, for buttons and LEDs, which have no text lines.
 #pragma once
 
 #include "protocol/parameters.hpp"
@@ -13,16 +12,16 @@
 namespace raymarch::protocol
 {
 
-/// The defaults, changed by the preset, which is one of the accelerator's.
+/// Makes the state of a preset of this accelerator.
 [[nodiscard]] State preset_state(const Accelerator& accelerator, const Preset& preset) noexcept;
 
-/// What is seen after `state`: its next scene, the last before the first again. An accelerator
-/// without a choice of scenes goes through its presets: `shown` is the position of the one applied
-/// last, and is moved on.
+/// Makes the state with the next scene; the first follows the last. An accelerator without a choice
+/// of scenes goes through its presets. `shown` is the index of the preset that was applied last,
+/// and is advanced.
 [[nodiscard]] State next_scene(const Accelerator& accelerator, const State& state,
                                std::optional<std::size_t>& shown) noexcept;
 
-/// Red, green and blue, each whether it is in the upper half of its range; all false where the
+/// Whether red, green and blue are in the upper half of their ranges. All are false if the
 /// accelerator has no colour.
 [[nodiscard]] std::array<bool, 3> colour_bits(const Accelerator& accelerator,
                                               const State& state) noexcept;

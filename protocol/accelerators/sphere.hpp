@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// TABLE: the sphere tracer of source 002 ("Real Time Ray Tracing"): spheres and lights by integer
-/// intersection, as the hardware draws one sphere and as the C prototype draws several. Widths:
-/// those of the prototype; the hardware's registers hold the lower bits (docs/engine/sphere.md).
+/// intersection, as the hardware draws one sphere and as the C prototype draws several. The widths
+/// are those of the prototype. The hardware's registers hold the lower bits
+/// (docs/engine/sphere.md).
 #pragma once
 
 #include "protocol/packer.hpp"
@@ -15,7 +16,7 @@
 namespace raymarch::protocol::sphere
 {
 
-/// Coordinates: the hardware's 16 bits without a sign, and as much below zero.
+/// The format of coordinates: the hardware's 16 unsigned bits, and a sign.
 inline constexpr Format coordinate_format = signed_q(17, 0);
 inline constexpr Format radius_format = unsigned_q(16, 0);
 inline constexpr Format strength_format = unsigned_q(31, 0);
@@ -75,7 +76,7 @@ consteval auto sphere_rows()
     return rows;
 }
 
-/// The first light is the hardware's at power-up; the others are out.
+/// The first light is the hardware's at power-up; the others are off.
 consteval auto light_rows()
 {
     auto rows = repeated_rows<LightKeys>(light_pattern, 4);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// TABLE: the ray tracer of source 004 (spheres and planes, shadows, reflections, anti-aliasing) in
-/// 12.12, as a machine of 14 spheres, 4 planes and a light. What the numbers mean:
-/// docs/engine/whitted.md.
+/// 12.12, as a machine of 14 spheres, 4 planes and a light. The numbers are
+/// explained in docs/engine/whitted.md.
 #pragma once
 
 #include "protocol/packer.hpp"
@@ -117,7 +117,7 @@ inline constexpr std::uint16_t words_per_sphere = 4;
 inline constexpr std::uint16_t first_plane_word = first_sphere_word + sphere::Keys::rows * words_per_sphere;
 inline constexpr std::uint16_t words_per_plane = 6;
 
-/// S1; its key is filled in.
+/// The row of S1, with an empty key that repeated_rows() fills in.
 inline constexpr std::array<Parameter, sphere::Keys::columns> sphere_pattern = {
     Parameter{.meaning = "sphere, centre, x", .unit = "units", .group = "spheres", .format = word_format, .min = "-1024", .max = "1024", .slices = {{{first_sphere_word, 31, 8}}}},
     Parameter{.meaning = "sphere, centre, y", .unit = "units", .group = "spheres", .format = word_format, .min = "-1024", .max = "1024", .slices = {{{first_sphere_word + 1, 31, 8}}}},
@@ -132,7 +132,7 @@ inline constexpr std::array<Parameter, sphere::Keys::columns> sphere_pattern = {
     Parameter{.meaning = "sphere, velocity, z", .unit = "units a frame", .group = "spheres", .format = velocity_format, .min = "-16", .max = "16", .slice_count = 0},
 };
 
-/// P1; its key is filled in.
+/// The row of P1, with an empty key that repeated_rows() fills in.
 inline constexpr std::array<Parameter, plane::Keys::columns> plane_pattern = {
     Parameter{.meaning = "plane, unit normal, x", .unit = "", .group = "planes", .format = normal_format, .min = "-1", .max = "1", .slices = {{{first_plane_word, 31, 8}}}},
     Parameter{.meaning = "plane, unit normal, y", .unit = "", .group = "planes", .format = normal_format, .min = "-1", .max = "1", .slices = {{{first_plane_word + 1, 31, 8}}}},
@@ -181,7 +181,7 @@ inline constexpr Initials<plane::Keys::rows, plane::Keys::columns> initial_plane
 }};
 // clang-format on
 
-/// The rows of `pattern` with a default each.
+/// Gives each row of `pattern` its own default.
 template <typename Keys>
 constexpr auto rows_with(const std::array<Parameter, Keys::columns>& pattern,
                          std::uint16_t words_per_row,
@@ -218,7 +218,7 @@ inline constexpr std::string_view image2 =
     "S13.X=0,S13.Y=-21,S13.Z=21,S13.RADIUS=15,S13.R=15,S13.G=3,S13.B=12,S13.REFLECT=0.5";
 inline constexpr std::string_view without_planes = ",PLANES=off";
 
-/// Texts one behind the other.
+/// Joins several texts.
 template <const std::string_view&... Parts>
 inline constexpr auto joined_text = [] {
     std::array<char, (Parts.size() + ...)> text{};

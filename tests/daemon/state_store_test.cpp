@@ -210,6 +210,10 @@ struct BadFile
     const char* name;
     std::string content;
 };
+void PrintTo(const BadFile& file, std::ostream* stream)
+{
+    *stream << file.name;
+}
 class BadFiles : public Store, public testing::WithParamInterface<BadFile>
 {};
 INSTANTIATE_TEST_SUITE_P(All, BadFiles,

@@ -69,7 +69,7 @@ TEST_F(TurnsTest, WhoWasSilentWaitsForATurnOrTwo)
 }
 
 /// The serial port has every other turn, and so far more than its share.
-TEST_F(TurnsTest, AlsoBesideTheSerialPort)
+TEST_F(TurnsTest, AHostGetsItsTurnBesideTheSerialPortToo)
 {
     add_busy(Rank::First);
     add_busy(Rank::Equal);

@@ -17,9 +17,20 @@
 #include <array>
 #include <cstring>
 #include <filesystem>
+#include <ostream>
 #include <string>
 #include <thread>
 #include <vector>
+
+namespace raymarch
+{
+
+static void PrintTo(Durability durability, std::ostream* stream)
+{
+    *stream << (durability == Durability::Durable ? "Durable" : "BestEffort");
+}
+
+} // namespace raymarch
 
 namespace raymarch::drivers
 {
@@ -43,7 +54,8 @@ class AtomicFile : public testing::TestWithParam<Durability>
 };
 
 INSTANTIATE_TEST_SUITE_P(Both, AtomicFile,
-                         testing::Values(Durability::Durable, Durability::BestEffort));
+                         testing::Values(Durability::Durable, Durability::BestEffort),
+                         [](const auto& row) { return testing::PrintToString(row.param); });
 
 TEST_P(AtomicFile, IsMadeAndReplaced)
 {

@@ -32,18 +32,18 @@ void expect_message(const Error& error, const std::string& message)
     }
 }
 
-TEST(GpioLine, ANameThatNoLineHas)
+TEST(GpioLine, ANameThatNoLineHasIsAnError)
 {
     expect_message(refusal("raymarch-no-such-line"), "no GPIO line is named raymarch-no-such-line");
 }
 
-TEST(GpioLine, ALabelThatNoChipHas)
+TEST(GpioLine, ALabelThatNoChipHasIsAnError)
 {
     expect_message(refusal("raymarch-no-such-chip:0"),
                    "no GPIO chip has the label raymarch-no-such-chip");
 }
 
-TEST(GpioLine, APathThatIsNotThere)
+TEST(GpioLine, APathThatIsNotThereIsAnError)
 {
     const Error error = refusal("/dev/raymarch-no-such-chip:3", LineUse::Output);
     EXPECT_EQ(error.kind, ErrorKind::Unavailable);
@@ -51,7 +51,7 @@ TEST(GpioLine, APathThatIsNotThere)
     EXPECT_EQ(error.message, "GPIO line /dev/raymarch-no-such-chip:3: No such file or directory");
 }
 
-TEST(GpioLine, AFileThatIsNoChip)
+TEST(GpioLine, AFileThatIsNoChipIsAnError)
 {
     const Error error = refusal("/dev/null:0");
     EXPECT_EQ(error.kind, ErrorKind::Unavailable);

@@ -61,7 +61,7 @@ TEST_F(Holders, AreTheDriversDevicesWithTheSameInterrupt)
     EXPECT_EQ(names({}), std::vector<std::string>{});
 }
 
-TEST_F(Holders, TheOverlaysOwnDeviceIsNone)
+TEST_F(Holders, TheOverlaysOwnDeviceIsNotAHolder)
 {
     test::add_platform_device(folder / "sys", "43c00000.raymarch", {0, 29, 4});
     const std::string name = kernel.path("devices/platform/43c00000.raymarch/of_node/"
@@ -72,7 +72,7 @@ TEST_F(Holders, TheOverlaysOwnDeviceIsNone)
     EXPECT_EQ(names({29}), std::vector<std::string>{"43c00000.raymarch"});
 }
 
-TEST_F(Holders, WithoutTheDriverThereAreNone)
+TEST_F(Holders, WithoutTheDriverThereIsNoHolder)
 {
     EXPECT_EQ(names({29}), std::vector<std::string>{});
 }

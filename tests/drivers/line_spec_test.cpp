@@ -122,7 +122,7 @@ TEST(LineSpec, Wirings)
     }
 }
 
-TEST(LineSpec, OtherTextsAreNone)
+TEST(LineSpec, OtherTextsAreRefused)
 {
     for (const std::string_view text : {"",
                                         ",",

@@ -309,7 +309,7 @@ const std::vector<Leaving> leavings = {
 class LeftBehind : public Pty, public testing::WithParamInterface<bool>
 {};
 
-TEST_P(LeftBehind, IsNotTheNextHosts)
+TEST_P(LeftBehind, BytesDoNotReachTheNextHost)
 {
     const bool speaks = GetParam();
     const termios first = Host(link).settings();
@@ -347,7 +347,7 @@ TEST_P(LeftBehind, IsNotTheNextHosts)
 }
 
 INSTANTIATE_TEST_SUITE_P(Hosts, LeftBehind, testing::Values(true, false), [](const auto& row) {
-    return row.param ? "ThatSpoke" : "ThatWereSilent";
+    return row.param ? "AfterAHostThatSpoke" : "AfterASilentHost";
 });
 
 /// The service was busy, or asleep, while one host left and the next came: it never saw the

@@ -11,7 +11,19 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <ostream>
 #include <string>
+
+namespace raymarch::engine
+{
+
+/// The name of a model's accelerator stands for it in the output of GoogleTest.
+static void PrintTo(const Model& model, std::ostream* stream)
+{
+    *stream << model.description->name;
+}
+
+} // namespace raymarch::engine
 
 namespace raymarch::emulation
 {

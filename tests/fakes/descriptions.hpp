@@ -11,7 +11,19 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <ostream>
 #include <string>
+
+namespace raymarch::protocol
+{
+
+/// A description's name stands for it in the output of GoogleTest.
+inline void PrintTo(const Accelerator* description, std::ostream* stream)
+{
+    *stream << (description != nullptr ? description->name : "none");
+}
+
+} // namespace raymarch::protocol
 
 namespace raymarch::test
 {

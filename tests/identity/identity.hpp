@@ -8,8 +8,31 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 #include <vector>
+
+namespace raymarch::protocol
+{
+
+/// A preset's name stands for it in the output of GoogleTest.
+inline void PrintTo(const Preset& preset, std::ostream* stream)
+{
+    *stream << preset.name;
+}
+
+} // namespace raymarch::protocol
+
+namespace raymarch::engine
+{
+
+/// The name of a model's accelerator stands for it in the output of GoogleTest.
+inline void PrintTo(const Model* model, std::ostream* stream)
+{
+    *stream << (model != nullptr ? model->description->name : "none");
+}
+
+} // namespace raymarch::engine
 
 namespace raymarch::engine::identity
 {

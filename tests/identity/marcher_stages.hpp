@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <ostream>
 
 namespace raymarch::engine::marcher
 {
@@ -50,5 +51,11 @@ struct Stages
     /// `lanes` of a vector, which is returned in `lanes`.
     std::size_t (*compact)(std::uint32_t chosen, Batch& numbers, std::size_t& lanes);
 };
+
+/// The instruction set's name stands for its stages in the output of GoogleTest.
+inline void PrintTo(const Stages& stages, std::ostream* stream)
+{
+    *stream << name_of(stages.isa);
+}
 
 } // namespace raymarch::engine::marcher

@@ -111,7 +111,7 @@ Number nearest_by_holding(const World& start)
     return nearest;
 }
 
-TEST(FractalMotion, FaithfulLeaks)
+TEST(FractalMotion, FaithfulCollisionLeaks)
 {
     for (const Scene scene : scenes)
         EXPECT_LT(nearest_by_holding(start_in(scene, Collision::Faithful)), Number{})

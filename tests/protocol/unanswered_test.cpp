@@ -8,13 +8,13 @@ namespace raymarch::protocol
 namespace
 {
 
-TEST(Unanswered, BlankLines)
+TEST(Unanswered, BlankLinesAreNotAnswered)
 {
     for (const std::string_view line : {"", " ", "\t", " \t \t "})
         EXPECT_FALSE(is_answered(line)) << '"' << line << '"';
 }
 
-TEST(Unanswered, EverythingThatBeginsLikeAReply)
+TEST(Unanswered, LinesThatBeginLikeAReplyAreNotAnswered)
 {
     for (const std::string_view line :
          {"OK", "OK*04", "OK seq=1 changed=7", "OKAY", "ERR", "ERR RANGE col=4 key=FX : allowed",
@@ -23,7 +23,7 @@ TEST(Unanswered, EverythingThatBeginsLikeAReply)
         EXPECT_FALSE(is_answered(line)) << '"' << line << '"';
 }
 
-TEST(Unanswered, NothingElse)
+TEST(Unanswered, AllOtherLinesAreAnswered)
 {
     for (const std::string_view line :
          {"PING", "ok", "Ok", "err", "Err x", "O", "E", "ER", "FX=1", "*00", "x OK", "xOK",

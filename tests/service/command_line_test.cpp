@@ -242,7 +242,7 @@ class List : public testing::Test
     TemporaryFolder folder;
 };
 
-TEST_F(List, OfEveryAcceleratorIsItsTable)
+TEST_F(List, EveryAcceleratorListsItsTable)
 {
     for (const protocol::Accelerator* accelerator : protocol::accelerators) {
         const std::string name(accelerator->name);
@@ -272,7 +272,7 @@ TEST_F(List, OfEveryAcceleratorIsItsTable)
     }
 }
 
-TEST_F(List, WithoutAWordSaysWhatThereIs)
+TEST_F(List, WithoutAWordNamesTheLists)
 {
     const auto overview = list({});
     const auto accelerators = list({"accelerators"});
@@ -292,7 +292,7 @@ TEST_F(List, WithoutAWordSaysWhatThereIs)
     EXPECT_EQ(list({"presets"}), list({"presets", "--accelerator", "marcher"}));
 }
 
-TEST_F(List, OfAnUnknownKindOrAccelerator)
+TEST_F(List, AnUnknownKindOrAcceleratorIsAnError)
 {
     const Finished kind = run_tool(folder, {"list", "preset"});
     EXPECT_EQ(kind.status, EX_USAGE);

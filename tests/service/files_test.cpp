@@ -302,7 +302,7 @@ void expect_end_by_term(Service& service)
     EXPECT_EQ(service.process.wait(), 0);
 }
 
-class InPlaceOfAFile : public testing::TestWithParam<const char*>
+class InPlaceOfAFile : public testing::TestWithParam<std::string>
 {
   protected:
     void SetUp() override
@@ -329,7 +329,7 @@ class InPlaceOfAFile : public testing::TestWithParam<const char*>
 
 INSTANTIATE_TEST_SUITE_P(Service, InPlaceOfAFile,
                          testing::Values("fifo", "folder", "socket", "null", "disk"),
-                         [](const auto& row) { return std::string(row.param); });
+                         [](const auto& row) { return row.param; });
 
 TEST_P(InPlaceOfAFile, AsTheStateItIsRefusedAndStays)
 {

@@ -83,7 +83,7 @@ const std::vector<Leaving> leavings = {
 
 /// Other programs than ours do these things, too. As another user than root the service cannot take
 /// the first one back, and makes a new terminal.
-TEST(LeftBehind, WhatOtherProgramsLeaveIsNotTheNextHosts)
+TEST(LeftBehind, BytesOfOtherProgramsDoNotReachTheNextHost)
 {
     const TemporaryFolder folder;
     const Service service(folder);
@@ -112,7 +112,7 @@ TEST(LeftBehind, WhatOtherProgramsLeaveIsNotTheNextHosts)
 }
 
 /// The next host comes at once after the first, also while the service is not looking.
-TEST(LeftBehind, HalfALineIsNotTheNextHostsHoweverSoonItComes)
+TEST(LeftBehind, HalfALineDoesNotReachTheNextHost)
 {
     const TemporaryFolder folder;
     const Service service(folder);

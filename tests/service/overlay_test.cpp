@@ -41,7 +41,7 @@ class OpenWatch
     UniqueFd fd_;
 };
 
-TEST(Logic, ThatIsNotConfiguredIsLeftAloneUntilItIs)
+TEST(Logic, IsNotTouchedUntilItIsConfigured)
 {
     const TemporaryFolder folder;
     const std::string root = folder / "sys";

@@ -101,7 +101,7 @@ TEST(ProgressOfARender, IsShownOnATerminalWhereItTakesLong)
     }
 }
 
-TEST(ProgressOfARender, OfSeveralFramesIsOneProgress)
+TEST(ProgressOfARender, SeveralFramesHaveOneProgress)
 {
     const TemporaryFolder folder;
     // A checkerboard takes four frames. The first size may be drawn too fast.

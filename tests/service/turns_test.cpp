@@ -60,7 +60,7 @@ TEST_F(BesideAFlood, OthersAreServed)
 }
 
 /// The serial port goes first, and still is not alone.
-TEST_F(BesideAFlood, OfTheSerialPortToo)
+TEST_F(BesideAFlood, OthersAreServedBesideTheSerialPortToo)
 {
     const Host hostile = Host::on_terminal(service.terminal());
     hostile.send(repeated("WALK forward 1000\n", 100));

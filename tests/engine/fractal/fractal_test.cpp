@@ -3,11 +3,13 @@
 
 #include "base/crc32.hpp"
 #include "engine/fractal/controller.hpp"
+#include "protocol/accelerators/fractal.hpp"
 #include "tests/engine/fractal/vectors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -92,6 +94,11 @@ struct AtStart
     std::array<std::uint64_t, 3> checker;
 };
 
+void PrintTo(const AtStart& row, std::ostream* stream)
+{
+    *stream << protocol::fractal::scenes.at(static_cast<std::size_t>(row.scene));
+}
+
 class StartView : public testing::TestWithParam<AtStart>
 {};
 
@@ -120,7 +127,8 @@ INSTANTIATE_TEST_SUITE_P(
         AtStart{Scene::Menger, {1'899'822, 972'643, 671'310}, {1'009'946, 546'379, 395'688}},
         AtStart{Scene::Cubes, {1'082'564, 579'437, 418'838}, {601'388, 349'656, 269'388}},
         AtStart{Scene::Cube, {1'114'020, 589'527, 400'465}, {617'052, 354'785, 260'330}},
-        AtStart{Scene::Maze, {4'588'311, 2'333'493, 1'582'521}, {2'354'182, 1'226'795, 851'303}}));
+        AtStart{Scene::Maze, {4'588'311, 2'333'493, 1'582'521}, {2'354'182, 1'226'795, 851'303}}),
+    [](const auto& row) { return testing::PrintToString(row.param); });
 
 TEST(Fractal, ACheckerboardKeepsTheOtherHalf)
 {

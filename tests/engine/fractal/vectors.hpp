@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -55,6 +56,12 @@ struct Vector
     std::map<unsigned, std::uint64_t> cycles; ///< by ray units
     std::vector<std::uint32_t> rows;          ///< CRC-32 of their greys
 };
+
+/// A frame's name stands for it in the output of GoogleTest.
+inline void PrintTo(const Vector& vector, std::ostream* stream)
+{
+    *stream << vector.name;
+}
 
 [[nodiscard]] inline std::vector<Vector> vectors()
 {

@@ -41,7 +41,7 @@ PortableInt128 any(std::mt19937_64& random)
            static_cast<int>(random() % 128);
 }
 
-TEST(Int128, OursIsTheMachines)
+TEST(Int128, OwnTypeAgreesWithTheCompilersType)
 {
     std::mt19937_64 random(128);
     for (int i = 0; i < 20'000; ++i) {

@@ -180,7 +180,7 @@ TEST(Length, AgreesWithLongDouble)
     }
 }
 
-TEST(Length, OfTheZeroVector)
+TEST(Length, TheZeroVectorHasLengthZero)
 {
     EXPECT_EQ(length(Point{}).raw(), 0);
 }

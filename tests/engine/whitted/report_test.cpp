@@ -67,6 +67,15 @@ std::vector<test::Columns> report_rows()
     return rows;
 }
 
+/// A row's scene and settings, as in `image1_planes_8x_reflections3_512x480`.
+std::string row_name(const testing::TestParamInfo<test::Columns>& row)
+{
+    const test::Columns& columns = row.param;
+    return columns.at(0) + (number(columns.at(1)) != 0 ? "_planes" : "") +
+           (number(columns.at(2)) == 8 ? "_8x" : "") + "_reflections" + columns.at(3) + "_" +
+           columns.at(4) + "x" + columns.at(5);
+}
+
 class Report : public testing::TestWithParam<test::Columns>
 {};
 
@@ -78,7 +87,7 @@ TEST_P(Report, RaysAndCyclesAreThoseOfTheTable)
     EXPECT_EQ(cost.cycles, row.cost.cycles) << row.why;
 }
 
-INSTANTIATE_TEST_SUITE_P(Whitted, Report, testing::ValuesIn(report_rows()));
+INSTANTIATE_TEST_SUITE_P(Whitted, Report, testing::ValuesIn(report_rows()), row_name);
 
 /// As the reference pictures are written: the converter's 10 bits as 8, rounded.
 std::string reference_bytes(const FrameWord& word)
@@ -91,12 +100,12 @@ std::string reference_bytes(const FrameWord& word)
     return bytes;
 }
 
-class Pictures : public testing::TestWithParam<const char*>
+class Pictures : public testing::TestWithParam<std::string>
 {};
 
 TEST_P(Pictures, AreThoseOfTheMachine)
 {
-    const std::string name = GetParam();
+    const std::string& name = GetParam();
     Frame frame = test::report_frame(Profile::Measured, "image1");
     if (name == "image1_planes_reflections") {
         frame.planes_drawn = true;
@@ -119,7 +128,8 @@ TEST_P(Pictures, AreThoseOfTheMachine)
 }
 
 INSTANTIATE_TEST_SUITE_P(Whitted, Pictures,
-                         testing::Values("image1", "image1_planes_reflections", "best_case"));
+                         testing::Values("image1", "image1_planes_reflections", "best_case"),
+                         [](const auto& picture) { return picture.param; });
 
 } // namespace
 } // namespace raymarch::engine::whitted
