@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// `raymarchctl cycles`: how long the source's hardware takes for a frame, by the exact model.
-#include "cli/cycle_tables.hpp"
 #include "cli/drawing.hpp"
 #include "cli/frame_counts.hpp"
 #include "cli/subcommands.hpp"
@@ -29,8 +28,6 @@ struct CyclesOptions
     std::optional<std::uint32_t> clock_hz;
     std::optional<std::uint32_t> frame;
     unsigned threads = 0;
-    bool table = false;
-    bool every_accelerator = true; ///< of the tables: none is named
 };
 
 void print_line(std::string_view key, std::string_view value)
@@ -46,8 +43,12 @@ std::string frames_text(const CountedView& view)
                          : fmt::format("{} to {}, the mean", first, last);
 }
 
-Result<void> print_cycles(const protocol::Accelerator& accelerator, const CyclesOptions& options)
+Result<void> print_cycles(const CyclesOptions& options)
 {
+    const auto named = accelerator_named(options.view.accelerator);
+    if (!named)
+        return fail(named.error());
+    const protocol::Accelerator& accelerator = **named;
     const auto size = size_of(accelerator, options.view);
     if (!size)
         return fail(size.error());
@@ -70,19 +71,6 @@ Result<void> print_cycles(const protocol::Accelerator& accelerator, const Cycles
     print_line("cycles", text_of(taken));
     // The sphere's prototype runs nothing where there is no sphere.
     print_line("fps", taken.sum == 0 ? "-" : four_digits(clock_hz / taken.value()));
-    return {};
-}
-
-Result<void> run_cycles(const CyclesOptions& options)
-{
-    const auto accelerator = accelerator_named(options.view.accelerator);
-    if (!accelerator)
-        return fail(accelerator.error());
-    if (!options.table)
-        return print_cycles(**accelerator, options);
-    for (const CycleTables& row : cycle_tables)
-        if (options.every_accelerator || row.accelerator == *accelerator)
-            fmt::print("{}", row.make(options.threads));
     return {};
 }
 
@@ -110,16 +98,9 @@ void add_cycles(CLI::App& app, Run& run)
             "the mean of a still's)")
         ->type_name("N");
     add_threads_option(*command, options->threads);
-    CLI::Option* const table = command->add_flag(
-        "--table", options->table,
-        "the tables of the sources beside the models, as Markdown; of all accelerators, or one");
-    for (const char* const other : {"--line", "--registers", "--set", "--preset", "--scene",
-                                    "--size", "--units", "--clock", "--frame"})
-        table->excludes(command->get_option(other));
-    command->callback([command, options, &run] {
-        options->every_accelerator = command->count("--accelerator") == 0;
+    command->callback([options, &run] {
         run = [options] {
-            const auto result = run_cycles(*options);
+            const auto result = print_cycles(*options);
             return result ? EX_OK : report(result.error());
         };
     });

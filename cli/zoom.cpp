@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl zoom`: deep views of the Mandelbulb at a point of its surface: as frames, or as a
-/// sheet that sets each arithmetic's picture beside the others (source 003, Fig. 9 and 10).
+/// `raymarchctl zoom`: deep views of the Mandelbulb at a point of its surface, as frames or as
+/// pictures on one sheet.
 #include "cli/drawing.hpp"
-#include "cli/mandelbulb_reference.hpp"
 #include "cli/picture_output.hpp"
 #include "cli/progress.hpp"
 #include "cli/subcommands.hpp"
@@ -20,10 +19,11 @@
 #include <fmt/ranges.h>
 #include <sysexits.h>
 
-#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace raymarch::cli
@@ -32,86 +32,38 @@ namespace
 {
 
 namespace table = protocol::mandelbulb;
-namespace mandelbulb = engine::mandelbulb;
 using motion::mandelbulb::max_zoom;
 using motion::mandelbulb::min_zoom;
 
 struct ZoomOptions
 {
     std::string preset = "whole";
-    std::vector<unsigned> pixel{606, 229};
+    std::optional<std::string> settings;
+    std::vector<std::uint16_t> pixel{606, 229};
     std::vector<int> levels{12, 21, 26};
     std::string size{"320x180"};
     unsigned threads = 0;
     std::string output;
 };
 
-template <typename Real>
-void draw_row_in(engine::WordSpan words, engine::RowOf row, std::span<std::uint8_t> pixels,
-                 std::span<engine::PixelCost> costs) noexcept
-{
-    draw_reference_row<Real>(mandelbulb::latch(words), row, pixels, costs, ThetaBy::Acos);
-}
-
-/// One column of the sheet: an arithmetic. `settings` are changes in the syntax of SET.
-struct Column
-{
-    std::string_view name;
-    std::string_view settings;
-    engine::Model model;
-};
-template <typename Real>
-constexpr engine::Model in_floating_point()
-{
-    engine::Model model = engine::model_of(table::description);
-    model.draw_row = draw_row_in<Real>;
-    model.kernels = nullptr; // they are those of the exact model
-    return model;
-}
-constexpr engine::Model exact = engine::model_of(table::description);
-constexpr std::array columns = {
-    Column{"float", "", in_floating_point<float>()},
-    Column{"double", "", in_floating_point<double>()},
-    Column{"N=32", "N=32,FORM=q8_57", exact},
-    Column{"N=57", "N=57,FORM=q8_57", exact},
-    Column{"N=64", "N=64,FORM=q8_64", exact},
-};
-
-Result<protocol::State> state_of_preset(const std::string& name)
+/// The view that is zoomed into.
+Result<protocol::State> whole_view(const ZoomOptions& options)
 {
     ViewOptions view;
-    view.preset = name;
+    view.preset = options.preset;
+    view.settings = options.settings;
     return state_of(table::description, view);
 }
 
-/// The view of the pixel's point at a level; deep ones take more steps and iterations.
+/// The view of the pixel's point at a level.
 Result<protocol::State> state_at(const protocol::State& from, const ZoomOptions& options, int level)
 {
-    const motion::mandelbulb::World world = motion::mandelbulb::enter(from);
-    const auto near = motion::mandelbulb::approach(
-        world.frame, table::description.size, static_cast<std::uint16_t>(options.pixel[0]),
-        static_cast<std::uint16_t>(options.pixel[1]), level);
-    if (!near)
-        return fail(plain_error(ErrorKind::BadData,
-                                fmt::format("the ray of pixel {},{} of '{}' hits nothing",
-                                            options.pixel[0], options.pixel[1], options.preset)));
-    protocol::State state = from;
-    motion::mandelbulb::leave({*near}, state);
-    return state;
-}
-
-Result<engine::Image> draw_column(const Column& column, const protocol::State& state,
-                                  protocol::PictureSize size, int level, unsigned threads)
-{
-    protocol::State changed = state;
-    if (!column.settings.empty())
-        if (const auto done = change(table::description, column.settings, changed); !done)
-            return fail(done.error());
-    const auto form = static_cast<mandelbulb::Form>(changed.codes[table::FORM]);
-    changed.codes[table::SCALE] = motion::mandelbulb::scale_at(form, level);
-    engine::Image image(size);
-    draw_fastest(column.model, protocol::pack(table::description, changed), threads, image);
-    return image;
+    if (const auto near =
+            motion::mandelbulb::state_near(from, options.pixel[0], options.pixel[1], level))
+        return *near;
+    return fail(plain_error(ErrorKind::BadData,
+                            fmt::format("the ray of pixel {},{} of '{}' hits nothing",
+                                        options.pixel[0], options.pixel[1], options.preset)));
 }
 
 Result<void> zoom(const ZoomOptions& options)
@@ -130,14 +82,14 @@ Result<void> zoom(const ZoomOptions& options)
         return fail(plain_error(ErrorKind::Usage, fmt::format("the pixel is one of {}x{}",
                                                               table::description.size.width,
                                                               table::description.size.height)));
-    const auto whole = state_of_preset(options.preset);
+    const auto whole = whole_view(options);
     if (!whole)
         return fail(whole.error());
 
     std::vector<pictures::SheetEntry> entries;
     std::optional<Progress> progress;
     if (!options.output.empty())
-        progress.emplace(static_cast<unsigned>(options.levels.size() * columns.size()), "pictures");
+        progress.emplace(static_cast<unsigned>(options.levels.size()), "pictures");
     for (const int level : options.levels) {
         const auto state = state_at(*whole, options, level);
         if (!state)
@@ -148,18 +100,15 @@ Result<void> zoom(const ZoomOptions& options)
             fmt::print("{}\n", frame.text());
             continue;
         }
-        for (const Column& column : columns) {
-            auto image = draw_column(column, *state, *size, level, options.threads);
-            if (!image)
-                return fail(image.error());
-            entries.push_back({std::move(*image), fmt::format("z={} {}", level, column.name)});
-            progress->show(static_cast<unsigned>(entries.size()));
-        }
+        engine::Image image(*size);
+        draw_fastest(engine::model_of(table::description),
+                     protocol::pack(table::description, *state), options.threads, image);
+        entries.push_back({std::move(image), fmt::format("z={}", level)});
+        progress->show(static_cast<unsigned>(entries.size()));
     }
     if (options.output.empty())
         return {};
-    const pictures::SheetLayout layout = {.columns = columns.size(), .cell = *size};
-    return write_picture(pictures::contact_sheet(entries, layout), options.output);
+    return write_picture(pictures::contact_sheet(entries, {.cell = *size}), options.output);
 }
 
 } // namespace
@@ -176,6 +125,12 @@ void add_zoom(CLI::App& app, Run& run)
             fmt::format("the preset of {} whose pixel is approached", table::description.name))
         ->type_name("NAME")
         ->capture_default_str();
+    command
+        ->add_option("--set", options->settings,
+                     fmt::format("changes to the preset, such as N=64,FORM=q8_64 for deep levels; "
+                                 "raymarchctl list keys --accelerator {} shows the keys",
+                                 table::description.name))
+        ->type_name("KEY=VALUE,...");
     command
         ->add_option("--pixel", options->pixel,
                      fmt::format("a pixel of that view at {}x{}, from the top left (default: {})",

@@ -22,7 +22,7 @@ LAYERS: dict[str, set[str]] = {
     "conformance": {"base", "protocol"},
     "daemon": {"base", "command_line", "drivers", "emulation", "engine", "motion", "pictures", "protocol"},
     "cli": {"base", "command_line", "conformance", "drivers", "engine", "motion", "pictures", "protocol"},
-    "tools": {"base", "daemon", "drivers", "emulation", "engine", "pictures", "protocol"},
+    "tools": {"base", "cli", "command_line", "daemon", "drivers", "emulation", "engine", "motion", "pictures", "protocol"},
 }
 
 # The engine knows of the protocol what parameters and registers are, and the descriptions.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/mandelbulb_reference.hpp"
+#include "tools/research/mandelbulb_reference.hpp"
 
 #include "engine/mandelbulb/mandelbulb.hpp"
 #include "engine/mandelbulb/ray_generator.hpp"
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace raymarch::cli
+namespace raymarch::tools
 {
 namespace
 {
@@ -98,4 +98,4 @@ TEST(MandelbulbReference, ARowHasTheColoursOfTheFixedOne)
 }
 
 } // namespace
-} // namespace raymarch::cli
+} // namespace raymarch::tools

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <span>
 
-namespace raymarch::cli
+namespace raymarch::tools
 {
 
 /// How the angle from the z axis is found: as shaders do, acos(z/r), or with atan2, which keeps
@@ -40,4 +40,4 @@ void draw_reference_row(const engine::mandelbulb::Frame& frame, engine::RowOf ro
                         std::span<std::uint8_t> pixels, std::span<engine::PixelCost> costs,
                         ThetaBy theta) noexcept;
 
-} // namespace raymarch::cli
+} // namespace raymarch::tools

@@ -8,7 +8,7 @@
 #include <array>
 #include <string>
 
-namespace raymarch::cli
+namespace raymarch::tools
 {
 
 // Each draws what its table speaks of, with so many threads; 0 is one for each processor.
@@ -33,4 +33,4 @@ inline constexpr std::array cycle_tables = {
     CycleTables{&protocol::whitted::description, whitted_tables},
 };
 
-} // namespace raymarch::cli
+} // namespace raymarch::tools

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace raymarch::cli::source
+namespace raymarch::tools::source
 {
 
 // Laid out by hand: one row a line of the source.
@@ -108,4 +108,4 @@ inline constexpr std::array whitted_figures = {
 };
 // clang-format on
 
-} // namespace raymarch::cli::source
+} // namespace raymarch::tools::source

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/mandelbulb_reference.hpp"
+#include "tools/research/mandelbulb_reference.hpp"
 
 #include "engine/mandelbulb/colouring.hpp"
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace raymarch::cli
+namespace raymarch::tools
 {
 namespace
 {
@@ -161,4 +161,4 @@ template void draw_reference_row<double>(const Frame&, engine::RowOf, std::span<
 template void draw_reference_row<long double>(const Frame&, engine::RowOf, std::span<std::uint8_t>, std::span<engine::PixelCost>, ThetaBy) noexcept;
 // clang-format on
 
-} // namespace raymarch::cli
+} // namespace raymarch::tools
