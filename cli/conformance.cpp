@@ -266,10 +266,11 @@ int run_conformance(const ConformanceOptions& options)
 void add_conformance(CLI::App& app, Run& run)
 {
     CLI::App* const command = app.add_subcommand(
-        "conformance", "runs the protocol's tables against a live endpoint; ends with a count");
+        "conformance",
+        "runs the protocol's tests against a live endpoint, and prints how many rows pass");
     const auto options = std::make_shared<ConformanceOptions>();
     add_endpoint_options(*command, options->endpoint);
-    command->add_flag("--verbose", options->verbose, "prints the rows that pass as well");
+    command->add_flag("--verbose", options->verbose, "print the rows that pass as well");
     command->callback([options, &run] { run = [options] { return run_conformance(*options); }; });
 }
 

@@ -70,12 +70,12 @@ void add_endpoint_options(CLI::App& command, Endpoint& endpoint)
 {
     CLI::Option* const port = command
                                   .add_option("--port", endpoint.port,
-                                              "the service's serial port, or its "
-                                              "pseudo-terminal; default baud 115200")
+                                              "serial port of the service, or its pseudo-terminal; "
+                                              "the rate is 115200 baud if none is given")
                                   ->type_name("TTY[@BAUD]");
     command
         .add_option("--socket", endpoint.socket,
-                    std::string("the service's control socket (default: ") + default_socket + ")")
+                    std::string("control socket of the service (default: ") + default_socket + ")")
         ->type_name("PATH")
         ->excludes(port);
 }

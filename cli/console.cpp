@@ -131,7 +131,7 @@ int converse(const Endpoint& endpoint)
 void add_console(CLI::App& app, Run& run)
 {
     CLI::App* const command =
-        app.add_subcommand("console", "an interactive line editor on the service");
+        app.add_subcommand("console", "opens an interactive line editor on the service");
     const auto endpoint = std::make_shared<Endpoint>();
     add_endpoint_options(*command, *endpoint);
     command->callback([endpoint, &run] { run = [endpoint] { return converse(*endpoint); }; });

@@ -79,23 +79,24 @@ Result<void> print_cycles(const CyclesOptions& options)
 void add_cycles(CLI::App& app, Run& run)
 {
     CLI::App* const command = app.add_subcommand(
-        "cycles", "clock cycles and frames a second of the source's hardware, by its exact model");
+        "cycles",
+        "prints the clock cycles and frames a second of the source's hardware, by its exact model");
     const auto options = std::make_shared<CyclesOptions>();
     add_view_options(*command, options->view);
     command
-        ->add_option("--units", options->units, "number of ray units (default: the accelerator's)")
+        ->add_option("--units", options->units,
+                     "number of ray units (default: the accelerator's own)")
         ->check(CLI::Range(1, 255))
         ->type_name("N");
     command
         ->add_option("--clock", options->clock_hz,
-                     "clock of the ray units in Hz (default: the accelerator's)")
+                     "clock of the ray units in Hz (default: the accelerator's own)")
         ->check(CLI::Range(1U, UINT32_MAX))
         ->type_name("HZ");
     command
-        ->add_option(
-            "--frame", options->frame,
-            "of a checkerboard the frame that so many come before since the reset (default: "
-            "the mean of a still's)")
+        ->add_option("--frame", options->frame,
+                     "number of the one frame to count, from 0 at the reset; frames of a "
+                     "checkerboard differ (default: the mean of the frames of a still)")
         ->type_name("N");
     add_threads_option(*command, options->threads);
     command->callback([options, &run] {

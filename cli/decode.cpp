@@ -56,11 +56,14 @@ int decode(const DecodeOptions& options)
 
 void add_decode(CLI::App& app, Run& run)
 {
-    CLI::App* const command = app.add_subcommand("decode", "register words to the frame they hold");
+    CLI::App* const command =
+        app.add_subcommand("decode", "prints the parameter frame that register words hold");
     const auto options = std::make_shared<DecodeOptions>();
-    add_texts(*command, "WORD", options->words, "all parameter words, in hex, word 0 first")
+    add_texts(*command, "WORD", options->words,
+              "register words, all of them in hexadecimal, word 0 first")
         ->required();
-    add_accelerator_option(*command, options->accelerator, "the accelerator whose words they are");
+    add_accelerator_option(*command, options->accelerator,
+                           "name of the accelerator that the words belong to");
     command->callback([options, &run] { run = [options] { return decode(*options); }; });
 }
 

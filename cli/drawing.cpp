@@ -92,7 +92,8 @@ class PictureProgress
 CLI::Option* add_threads_option(CLI::App& command, unsigned& threads)
 {
     return command
-        .add_option("--threads", threads, "threads that draw; 0 is one for each processor")
+        .add_option("--threads", threads,
+                    "number of threads that draw; 0, the default, is one for each processor")
         ->check(CLI::Range(0U, most_threads))
         ->type_name("N");
 }
@@ -105,15 +106,16 @@ void add_draw_options(CLI::App& command, DrawOptions& options)
     add_threads_option(command, options.threads);
     CLI::Option* const isa = command.add_option(
         "--isa", options.isa,
-        fmt::format("the vectors to draw with: {} (default: the fastest here)", names));
+        fmt::format("instruction set to draw with: {} (default: the fastest that this machine has)",
+                    names));
     isa->type_name("NAME");
     command
         .add_flag("--reference", options.reference,
-                  "draw by the plain scalar model, which defines the bits")
+                  "draw with the plain scalar model, which defines the bits")
         ->excludes(isa);
     command
         .add_option("--repeat", options.repeat,
-                    "draw N times and say on standard error how long one takes")
+                    "number of times to draw; the time of one picture is printed on standard error")
         ->check(CLI::Range(1U, most_repetitions))
         ->type_name("N");
 }

@@ -181,12 +181,13 @@ struct EncodeOptions
 void add_encode(CLI::App& app, Run& run)
 {
     CLI::App* const command =
-        app.add_subcommand("encode", "a parameter frame to its register words");
+        app.add_subcommand("encode", "prints the register words of a parameter frame");
     const auto options = std::make_shared<EncodeOptions>();
     command->add_option("LINE", options->line,
-                        "the frame; without it lines are read from standard input, and each that "
-                        "is not blank gets one reply");
-    add_accelerator_option(*command, options->accelerator, "the accelerator whose frame it is");
+                        "parameter frame; without it, lines are read from standard input, and each "
+                        "line that is not blank gets one reply");
+    add_accelerator_option(*command, options->accelerator,
+                           "name of the accelerator that the frame is for");
     command->callback([options, &run] {
         run = [options] {
             const auto accelerator = accelerator_named(options->accelerator);

@@ -134,27 +134,29 @@ Result<void> run_export(const ExportOptions& options)
 
 void add_export(CLI::App& app, Run& run)
 {
-    CLI::App* const command =
-        app.add_subcommand("export", "a 400x300 picture in 16 greys as Ethernet frames");
+    CLI::App* const command = app.add_subcommand(
+        "export",
+        "sends a 400x300 picture in 16 greys as Ethernet frames, or writes them to a file");
     const auto options = std::make_shared<ExportOptions>();
-    CLI::Option_group* const where = command->add_option_group("where to");
+    CLI::Option_group* const where = command->add_option_group("output of the frames");
     CLI::Option* const interface =
         where
             ->add_option("--interface", options->interface,
-                         "the network interface to send on; takes CAP_NET_RAW")
+                         "network interface to send on; needs CAP_NET_RAW")
             ->type_name("IF");
-    where->add_option("--pcap", options->capture, "a capture file to write; - is standard output")
+    where->add_option("--pcap", options->capture, "capture file to write; - is standard output")
         ->type_name("FILE");
     where->require_option(1);
     options->view.accelerator = protocol::fractal::description.name; // whose export it is
     CLI::Option_group& what = add_view_options(*command, options->view);
-    what.description("(a view, which --set changes, or a picture)");
+    what.description("(required: a view, which --set may change, or a picture)");
     what.require_option(1, 0); // what cannot stand together excludes each other
     CLI::Option* const threads = add_threads_option(*command, options->threads);
     CLI::Option* const input =
-        what.add_option("--input", options->input,
-                        "no view but this picture, pgm or ppm, levels times 17 or of 15; - is "
-                        "standard input")
+        what.add_option(
+                "--input", options->input,
+                "file of a picture in place of a view, pgm or ppm; its levels are 0 to 15 where "
+                "its maximum is 15, or multiples of 17 where it is 255; - is standard input")
             ->type_name("FILE")
             ->excludes(command->get_option("--accelerator"), command->get_option("--size"),
                        threads);
@@ -162,7 +164,8 @@ void add_export(CLI::App& app, Run& run)
         input->excludes(what.get_option(view));
     command
         ->add_flag("--fast", options->fast,
-                   "as fast as the interface takes the frames, not as the source's hardware")
+                   "send as fast as the interface takes the frames; without it, they are as far "
+                   "apart as those of the source's hardware")
         ->needs(interface);
     command->callback([options, &run] {
         run = [options] {

@@ -121,33 +121,33 @@ Result<int> make_film(const FilmOptions& options)
 
 void add_film(CLI::App& app, Run& run)
 {
-    CLI::App* const command =
-        app.add_subcommand("film", "frames of the accelerator, moving, as a film");
+    CLI::App* const command = app.add_subcommand(
+        "film", "draws frames while the scene or the camera moves, and writes a film");
     const auto options = std::make_shared<FilmOptions>();
     add_view_options(*command, options->view);
-    command->add_option("--frames", options->frames, "number of frames")
+    command->add_option("--frames", options->frames, "number of frames to draw")
         ->check(CLI::Range(1U, most_frames))
         ->type_name("N")
         ->required();
     command
         ->add_option("--fps", options->frames_per_second,
-                     "frames a second, as far as the format takes them (default: 25)")
+                     "number of frames a second, in the range of the format (default: 25)")
         ->type_name("F");
     command
         ->add_option("--move", options->moves,
-                     "what moves all the time: the directions of WALK, those of TURN after turn-, "
-                     "animate; several with commas (default: animate)")
+                     "movements that last for the whole film, with commas between them: directions "
+                     "of WALK, directions of TURN after turn-, animate (default: animate)")
         ->type_name("WORDS");
     command
         ->add_option("--steps", options->steps,
-                     "steps of the movement from a frame to the next (default: 1)")
+                     "number of steps of the movement from one frame to the next (default: 1)")
         ->check(CLI::Range(1U, most_steps))
         ->type_name("K");
     add_threads_option(*command, options->threads);
     command
         ->add_option(
             "-o,--output", options->output,
-            "the file to write: .gif, .mp4, or a picture for each frame, as in name_%04d.png")
+            "file for the film: .gif, .mp4, or one picture for each frame, as in name_%04d.png")
         ->type_name("FILE")
         ->required();
     command->callback([options, &run] {

@@ -105,16 +105,18 @@ Result<void> list(const ListOptions& options)
 void add_list(CLI::App& app, Run& run)
 {
     CLI::App* const command = app.add_subcommand(
-        "list", "the names of accelerators, presets, scenes and keys, with their meanings");
+        "list", "prints the names of accelerators, presets, scenes and keys, with their meanings");
     const auto options = std::make_shared<ListOptions>();
     std::vector<std::string_view> names;
     for (const ListRow& row : list_rows)
         names.push_back(row.name);
     command
-        ->add_option("WHAT", options->what,
-                     "the list to print; without it the accelerators, and what else there is")
+        ->add_option(
+            "WHAT", options->what,
+            "list to print; without it, the accelerators and the names of the lists are printed")
         ->type_name(fmt::format("{}", fmt::join(names, "|")));
-    add_accelerator_option(*command, options->accelerator, "the accelerator whose names they are");
+    add_accelerator_option(*command, options->accelerator,
+                           "name of the accelerator whose names are listed");
     command->callback([options, &run] {
         run = [options] {
             const auto result = list(*options);

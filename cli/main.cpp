@@ -26,7 +26,9 @@ int main(int argc, char** argv)
     namespace cli = raymarch::cli;
     if (!raymarch::fill_standard_descriptors())
         return EX_OSERR;
-    CLI::App app("raymarchctl: the tool beside raymarchd", "raymarchctl");
+    CLI::App app("raymarchctl: works with frames, words and pictures of a ray-marching "
+                 "accelerator, and with a running raymarchd",
+                 "raymarchctl");
     raymarch::prepare_command_line(app);
     app.set_version_flag("--version", "raymarchctl " RAYMARCH_VERSION);
     app.require_subcommand(1);

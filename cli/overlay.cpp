@@ -155,35 +155,37 @@ int status(const OverlayOptions& options)
 
 void add_overlay(CLI::App& app, Run& run)
 {
-    CLI::App* const command =
-        app.add_subcommand("overlay", "the board's logic and its device tree overlay");
+    CLI::App* const command = app.add_subcommand(
+        "overlay", "loads and unloads the board's logic and its device tree overlay");
     command->require_subcommand(1);
     const auto options = std::make_shared<OverlayOptions>();
     const auto add = [&](const char* name, const char* help, int (*action)(const OverlayOptions&)) {
         CLI::App* const verb = command->add_subcommand(name, help);
         verb->add_option("--sysfs-root", options->root,
-                         "what stands in for /sys (default); the firmware folder and the devices "
-                         "are looked for beside it, in ../lib/firmware and ../dev")
+                         "folder in place of /sys; the firmware folder and the devices are looked "
+                         "for beside it, in ../lib/firmware and ../dev")
             ->type_name("PATH");
         verb->callback([options, action, &run] { run = [=] { return action(*options); }; });
         return verb;
     };
     const auto add_overlay_file = [&](CLI::App* verb) {
-        verb->add_option("--overlay", options->overlay,
-                         "the compiled overlay (default: raymarch.dtbo in the firmware folder)")
+        verb->add_option(
+                "--overlay", options->overlay,
+                "file of the compiled overlay (default: raymarch.dtbo in the firmware folder)")
             ->type_name("FILE");
     };
     CLI::App* const loading =
         add("load", "checks both files, then loads the logic and the overlay", load);
     loading
         ->add_option("--bitstream", options->bitstream,
-                     "a .bit, or a byte-swapped .bin (default: raymarch.bit in the firmware "
-                     "folder)")
+                     "file of the bitstream: a .bit, or a byte-swapped .bin (default: raymarch.bit "
+                     "in the firmware folder)")
         ->type_name("FILE");
     add_overlay_file(loading);
-    add("unload", "takes the overlay away; the logic stays configured", unload);
+    add("unload", "removes the overlay; the logic stays configured", unload);
     add_overlay_file(
-        add("status", "how logic, overlay and registers stand, and what the kernel lacks", status));
+        add("status", "prints the state of logic, overlay and registers, and what the kernel lacks",
+            status));
 }
 
 } // namespace raymarch::cli

@@ -162,32 +162,33 @@ Result<void> receive(const ReceiveOptions& options)
 
 void add_receive(CLI::App& app, Run& run)
 {
-    CLI::App* const command =
-        app.add_subcommand("receive", "the picture of an export, from its Ethernet frames");
+    CLI::App* const command = app.add_subcommand(
+        "receive", "puts the picture of an export together from its Ethernet frames");
     const auto options = std::make_shared<ReceiveOptions>();
-    CLI::Option_group* const where = command->add_option_group("where from");
+    CLI::Option_group* const where = command->add_option_group("input of the frames");
     CLI::Option* const interface =
         where
             ->add_option("--interface", options->interface,
-                         "the network interface to listen on; takes CAP_NET_RAW")
+                         "network interface to listen on; needs CAP_NET_RAW")
             ->type_name("IF");
-    where->add_option("--pcap", options->capture, "a capture file to read; - is standard input")
+    where->add_option("--pcap", options->capture, "capture file to read; - is standard input")
         ->type_name("FILE");
     where->require_option(1);
     command
         ->add_option("-o,--output", options->output,
-                     "the file to write; its ending says the format: png, jpg, ppm, tga; - is "
+                     "file for the picture; the ending of its name is png, jpg, ppm or tga; - is "
                      "ppm on standard output")
         ->type_name("FILE")
         ->required();
     command
         ->add_option("--timeout", options->seconds,
-                     "how long to wait for the whole picture (default: 5)")
+                     "longest time to wait for the whole picture, in seconds (default: 5)")
         ->check(CLI::Range(0.01, 3600.0))
         ->type_name("SECONDS")
         ->needs(interface);
-    command->add_flag("--partial", options->partial,
-                      "write what there is, missing rows black; still an error");
+    command->add_flag(
+        "--partial", options->partial,
+        "write an incomplete picture, too, with the missing rows black; it is still an error");
     command->callback([options, &run] {
         run = [options] {
             const auto result = receive(*options);

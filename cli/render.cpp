@@ -87,18 +87,19 @@ Result<void> render(const RenderOptions& options)
 
 void add_render(CLI::App& app, Run& run)
 {
-    CLI::App* const command =
-        app.add_subcommand("render", "the picture that the accelerator draws, by its exact model");
+    CLI::App* const command = app.add_subcommand(
+        "render", "draws the accelerator's picture of a view, by its exact model");
     const auto options = std::make_shared<RenderOptions>();
     add_view_options(*command, options->view);
     add_draw_options(*command, options->drawing);
     command
         ->add_option("--tile", options->tile,
-                     "only this part of the picture: its size, columns left of it, rows above it")
+                     "part of the picture to draw: its size, the number of columns left of it, the "
+                     "number of rows above it")
         ->type_name("WxH+X+Y");
     command
         ->add_option("-o,--output", options->output,
-                     "the file to write; its ending says the format: png, jpg, ppm, tga; - is "
+                     "file for the picture; the ending of its name is png, jpg, ppm or tga; - is "
                      "ppm on standard output")
         ->type_name("FILE")
         ->required();

@@ -47,11 +47,12 @@ int send(const SendOptions& options)
 
 void add_send(CLI::App& app, Run& run)
 {
-    CLI::App* const command =
-        app.add_subcommand("send", "sends lines and prints the replies; 0 if all are OK");
+    CLI::App* const command = app.add_subcommand(
+        "send", "sends lines and prints the replies; the exit status is 0 if all of them are OK");
     const auto options = std::make_shared<SendOptions>();
     add_endpoint_options(*command, options->endpoint);
-    add_texts(*command, "LINE", options->lines, "frames and commands, one an argument")->required();
+    add_texts(*command, "LINE", options->lines, "frames and commands to send, each as one argument")
+        ->required();
     command->callback([options, &run] { run = [options] { return send(*options); }; });
 }
 

@@ -96,25 +96,26 @@ Result<void> draw_sheet(const SheetOptions& options)
 
 void add_sheet(CLI::App& app, Run& run)
 {
-    CLI::App* const command = app.add_subcommand("sheet", "many views on one contact sheet");
+    CLI::App* const command = app.add_subcommand("sheet", "draws many views on one contact sheet");
     const auto options = std::make_shared<SheetOptions>();
-    CLI::Option* const views = add_texts(
-        *command, "VIEW", options->views,
-        "NAME:PRESET of an accelerator, or NAME for its defaults; none: the defaults of all");
+    CLI::Option* const views =
+        add_texts(*command, "VIEW", options->views,
+                  "views to draw: NAME:PRESET for a preset of an accelerator, NAME for its "
+                  "defaults; without any, the defaults of every accelerator");
     command
         ->add_option("--accelerator", options->accelerator,
-                     "all presets of this one in place of "
-                     "views")
+                     "name of an accelerator whose presets are all drawn, in place of views")
         ->type_name("NAME")
         ->excludes(views);
     command
-        ->add_option("--columns", options->columns, "columns of the sheet; 0 makes it about square")
+        ->add_option("--columns", options->columns,
+                     "number of columns of the sheet; 0, the default, makes it about square")
         ->check(CLI::Range(0, 32))
         ->type_name("N");
     add_threads_option(*command, options->threads);
     command
         ->add_option("-o,--output", options->output,
-                     "the file to write; its ending says the format")
+                     "file for the sheet; the ending of its name gives the format")
         ->type_name("FILE")
         ->required();
     command->callback([options, &run] {

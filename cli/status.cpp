@@ -165,23 +165,27 @@ int watch(const WatchOptions& options)
 
 void add_status(CLI::App& app, Run& run)
 {
-    CLI::App* const command = app.add_subcommand("status", "the state of the service");
+    CLI::App* const command = app.add_subcommand("status", "prints the state of the service");
     const auto options = std::make_shared<StatusOptions>();
     add_endpoint_options(*command, options->endpoint);
-    command->add_flag("--json", options->json, "print a JSON object");
+    command->add_flag("--json", options->json, "print the state as a JSON object");
     command->callback([options, &run] { run = [options] { return status(*options); }; });
 }
 
 void add_watch(CLI::App& app, Run& run)
 {
     CLI::App* const command =
-        app.add_subcommand("watch", "prints what changes of the state and the parameters");
+        app.add_subcommand("watch", "prints changes of the state and of the parameters");
     const auto options = std::make_shared<WatchOptions>();
     add_endpoint_options(*command, options->endpoint);
-    command->add_option("--interval", options->seconds, "time between two looks (default: 1)")
+    command
+        ->add_option("--interval", options->seconds,
+                     "time between two looks at the service, in seconds (default: 1)")
         ->check(CLI::Range(0.01, 3600.0))
         ->type_name("SECONDS");
-    command->add_option("--count", options->count, "number of looks; 0, the default, goes on")
+    command
+        ->add_option("--count", options->count,
+                     "number of looks before the end; 0, the default, is no end")
         ->type_name("N");
     command->callback([options, &run] { run = [options] { return watch(*options); }; });
 }

@@ -119,31 +119,35 @@ Result<void> change(const protocol::Accelerator& accelerator, std::string_view s
 
 CLI::Option_group& add_view_options(CLI::App& command, ViewOptions& options)
 {
-    CLI::Option_group* const what =
-        command.add_option_group("what to draw", "(default: the accelerator's defaults)");
+    CLI::Option_group* const what = command.add_option_group(
+        "what to draw", "(without any of these, the accelerator's defaults are drawn)");
     CLI::Option* const registers =
-        add_texts(*what, "--registers", options.words, "all parameter words, in hex, word 0 first")
+        add_texts(*what, "--registers", options.words,
+                  "register words of the view, all of them in hexadecimal, word 0 first")
             ->type_name("WORD")
             ->expected(1, static_cast<int>(protocol::max_parameter_words));
     CLI::Option* const line =
-        what->add_option("--line", options.line, "a parameter frame")->type_name("LINE");
+        what->add_option("--line", options.line, "parameter frame of the view")->type_name("LINE");
     CLI::Option* const preset =
         what->add_option("--preset", options.preset,
-                         "a view worth looking at; raymarchctl list presets names them")
+                         "name of a preset; raymarchctl list presets shows them")
             ->type_name("NAME");
     CLI::Option* const scene =
-        what->add_option("--scene", options.scene,
-                         "the defaults in this scene; raymarchctl list scenes")
+        what->add_option(
+                "--scene", options.scene,
+                "name of a scene, drawn with the defaults; raymarchctl list scenes shows them")
             ->type_name("NAME");
     what->add_option("--set", options.settings,
-                     "changes to that, or to the defaults; raymarchctl list keys")
+                     "changes to the view or to the defaults; raymarchctl list keys shows the keys")
         ->type_name("KEY=VALUE,...")
         ->excludes(registers);
     registers->excludes(line, preset, scene);
     line->excludes(preset, scene);
     preset->excludes(scene);
-    add_accelerator_option(command, options.accelerator, "the accelerator that draws");
-    command.add_option("--size", options.size, "size of the picture (default: the accelerator's)")
+    add_accelerator_option(command, options.accelerator, "name of the accelerator that draws");
+    command
+        .add_option("--size", options.size,
+                    "size of the picture in pixels (default: the accelerator's own)")
         ->type_name("WxH");
     return *what;
 }

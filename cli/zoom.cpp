@@ -115,14 +115,14 @@ Result<void> zoom(const ZoomOptions& options)
 
 void add_zoom(CLI::App& app, Run& run)
 {
-    CLI::App* const command = app.add_subcommand(
-        "zoom", "deep views of the mandelbulb at a point that a pixel shows: frames, or a sheet "
-                "of pictures by float, double and the accelerator's arithmetic");
+    CLI::App* const command =
+        app.add_subcommand("zoom", "prints the frames of deep views of the Mandelbulb at the point "
+                                   "that a pixel shows, or draws them");
     const auto options = std::make_shared<ZoomOptions>();
     command
         ->add_option(
             "--preset", options->preset,
-            fmt::format("the preset of {} whose pixel is approached", table::description.name))
+            fmt::format("name of the preset of {} that is zoomed into", table::description.name))
         ->type_name("NAME")
         ->capture_default_str();
     command
@@ -133,29 +133,29 @@ void add_zoom(CLI::App& app, Run& run)
         ->type_name("KEY=VALUE,...");
     command
         ->add_option("--pixel", options->pixel,
-                     fmt::format("a pixel of that view at {}x{}, from the top left (default: {})",
+                     fmt::format("pixel of that view to zoom into, as column and row of {}x{} from "
+                                 "the top left (default: {})",
                                  table::description.size.width, table::description.size.height,
                                  fmt::join(options->pixel, ",")))
         ->type_name("X,Y")
         ->delimiter(',')
         ->expected(2);
     command
-        ->add_option(
-            "--levels", options->levels,
-            fmt::format("zoom levels: at level Z neighbouring rays of a picture of {} rows are "
-                        "2^-Z apart at the surface (default: {})",
-                        table::description.size.height, fmt::join(options->levels, ",")))
+        ->add_option("--levels", options->levels,
+                     fmt::format("zoom levels; at level Z, neighbouring rays of a picture of {} "
+                                 "rows are 2^-Z apart at the surface (default: {})",
+                                 table::description.size.height, fmt::join(options->levels, ",")))
         ->type_name("Z,...")
         ->delimiter(',')
         ->check(CLI::Range(min_zoom, max_zoom));
-    command->add_option("--size", options->size, "size of each picture")
+    command->add_option("--size", options->size, "size of each picture in pixels")
         ->type_name("WxH")
         ->capture_default_str();
     add_threads_option(*command, options->threads);
     command
         ->add_option("-o,--output", options->output,
-                     "the sheet, in the format of its ending; without it the frames are printed, "
-                     "one line a level")
+                     "file for a sheet of the pictures, in the format that the ending of its name "
+                     "gives; without it, the frames are printed, one line for each level")
         ->type_name("FILE");
     command->callback([options, &run] {
         run = [options] {

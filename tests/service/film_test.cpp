@@ -291,7 +291,8 @@ TEST_F(Film, WrongCommandLines)
     EXPECT_TRUE(names(why(ppm, {}), "--frames is required"));
     EXPECT_TRUE(names(why(ppm, {"--frames", "0"}), "--frames: Value 0 not in range"));
     EXPECT_TRUE(names(why(ppm, {"--frames", "100001"}), "--frames: Value 100001 not in range"));
-    EXPECT_TRUE(names(why(ppm, {"--frames", "2", "--steps", "0"}), "--steps: Value 0 not in range"));
+    EXPECT_TRUE(
+        names(why(ppm, {"--frames", "2", "--steps", "0"}), "--steps: Value 0 not in range"));
     EXPECT_TRUE(names(why(ppm, {"--frames", "2", "--fps", "0"}), "has 1 to 240"));
     EXPECT_TRUE(names(why(ppm, {"--frames", "2", "--size", "24"}), "'24' is not a size from 1x1"));
     EXPECT_TRUE(names(why(ppm, {"--frames", "2", "--preset", "no"}), "'no' is no preset; there"));

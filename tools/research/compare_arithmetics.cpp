@@ -163,7 +163,8 @@ void add_options(CLI::App& app, CompareOptions& options)
                    "number of threads that draw; 0 is one for each processor")
         ->check(CLI::Range(0U, 256U))
         ->type_name("N");
-    app.add_option("-o,--output", options.output, "file for the sheet; its ending is the format")
+    app.add_option("-o,--output", options.output,
+                   "file for the sheet; the ending of its name gives the format")
         ->type_name("FILE")
         ->required();
 }
