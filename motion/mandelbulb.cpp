@@ -274,4 +274,16 @@ void leave(const World& world, protocol::State& state) noexcept
     state.codes[table::SCALE] = world.frame.arithmetic.scale;
 }
 
+std::optional<protocol::State> state_near(const protocol::State& state, std::uint16_t x,
+                                          std::uint16_t y, int zoom) noexcept
+{
+    const auto near =
+        approach(enter(state).frame, protocol::mandelbulb::description.size, x, y, zoom);
+    if (!near)
+        return std::nullopt;
+    protocol::State changed = state;
+    leave({*near}, changed);
+    return changed;
+}
+
 } // namespace raymarch::motion::mandelbulb

@@ -47,6 +47,10 @@ inline constexpr int max_zoom = 58;
 approach(const engine::mandelbulb::Frame& view, engine::PictureSize size, std::uint16_t x,
          std::uint16_t y, int zoom) noexcept;
 
+/// The state of what approach() gives, at the accelerator's own size; the rest is that of `state`.
+[[nodiscard]] std::optional<protocol::State>
+state_near(const protocol::State& state, std::uint16_t x, std::uint16_t y, int zoom) noexcept;
+
 /// The frame scale of a view at zoom level z. It is 0 as long as the coordinates resolve a
 /// distance.
 [[nodiscard]] int scale_at(engine::mandelbulb::Form form, int zoom) noexcept;

@@ -21,8 +21,8 @@ LAYERS: dict[str, set[str]] = {
     "emulation": {"base", "drivers", "engine", "protocol"},
     "conformance": {"base", "protocol"},
     "daemon": {"base", "command_line", "drivers", "emulation", "engine", "motion", "pictures", "protocol"},
-    "console": {"base", "command_line", "conformance", "drivers", "engine", "motion", "pictures", "protocol"},
-    "tools": {"base", "daemon", "drivers", "emulation", "engine", "pictures", "protocol"},
+    "cli": {"base", "command_line", "conformance", "drivers", "engine", "motion", "pictures", "protocol"},
+    "tools": {"base", "cli", "command_line", "daemon", "drivers", "emulation", "engine", "motion", "pictures", "protocol"},
 }
 
 # The engine knows of the protocol what parameters and registers are, and the descriptions.
@@ -34,8 +34,8 @@ RESTRICTED: dict[str, set[str]] = {
     "gpiod": {"drivers"},
     "opencv2/": {"pictures"},
     "png.h": {"pictures"},
-    "CLI/": {"command_line", "daemon", "console", "tools"},
-    "thread": {"base", "engine", "emulation", "daemon", "console"},
+    "CLI/": {"command_line", "daemon", "cli", "tools"},
+    "thread": {"base", "engine", "emulation", "daemon", "cli"},
 }
 
 # Words that must not occur: the pure folders have no I/O and no clock, the engine no floating point, but

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Holds the tables of docs/cycles.md to what raymarchctl cycles --table prints.
+"""Holds the tables of docs/cycles.md to what cycle_tables prints.
 
-Usage: check_cycles.py [--write] RAYMARCHCTL [ACCELERATOR...]; without names every section.
+Usage: check_cycles.py [--write] CYCLE_TABLES [ACCELERATOR...]; without names every section.
 """
 
 import argparse
@@ -16,7 +16,7 @@ SECTION = r"(<!-- begin {0} -->\n)(.*?)(<!-- end {0} -->)"
 
 
 def table(program: Path, accelerator: str) -> str:
-    command = [program, "cycles", "--table", "--accelerator", accelerator]
+    command = [program, "--accelerator", accelerator]
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 

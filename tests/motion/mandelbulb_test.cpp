@@ -185,6 +185,16 @@ TEST(MandelbulbMotion, ApproachOfTheBackgroundFindsNothing)
     EXPECT_FALSE(approach(front().frame, {1280, 720}, 0, 0, 12));
 }
 
+TEST(MandelbulbMotion, TheStateOfAnApproachHasItsFrame)
+{
+    const protocol::State state = protocol::initial_state(protocol::mandelbulb::description);
+    const auto frame = approach(front().frame, {1280, 720}, 640, 360, 12);
+    const auto near = state_near(state, 640, 360, 12);
+    ASSERT_TRUE(frame && near);
+    EXPECT_EQ(enter(*near), World{*frame});
+    EXPECT_FALSE(state_near(state, 0, 0, 12));
+}
+
 TEST(MandelbulbMotion, LeaveWritesWhatEnterReads)
 {
     using namespace protocol::mandelbulb;

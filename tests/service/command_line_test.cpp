@@ -97,6 +97,7 @@ TEST(CommandLine, AWrongNameGetsTheNearestOne)
          "'lattice' is a preset of marcher, not of fractal\n"},
         {{"sheet", "-o", "x.ppm", "wited"}, EX_USAGE, "did you mean 'whitted'?"},
         {{"zoom", "--preset", "hole"}, EX_USAGE, "; did you mean 'whole'?\n"},
+        {{"zoom", "--set", "FROM=q8_64"}, EX_DATAERR, "; did you mean 'FORM'?\n"},
         {render({"--scene", "cubee"}), EX_USAGE,
          "'cubee' is no scene; there are sphere, cube, infinite_cube, tunnel; did you mean "
          "'cube'?"},
@@ -340,6 +341,7 @@ TEST_F(List, IsWhatCompletionOffers)
               names({"scenes", "--accelerator", "fractal"}));
     EXPECT_EQ(offered({"export", "--preset", ""}), names({"presets", "--accelerator", "fractal"}));
     EXPECT_EQ(offered({"zoom", "--preset", ""}), names({"presets", "--accelerator", "mandelbulb"}));
+    EXPECT_EQ(offered({"zoom", "--set", "FO"}), Lines{"FORM="});
     EXPECT_EQ(offered({"render", "--preset", "=", "lattice_d"}), Lines{"lattice_diagonal"});
     EXPECT_EQ(offered({"render", "--set", "OB"}), Lines{"OBJ="});
     EXPECT_EQ(offered({"render", "--set", "OBJ", "=", "cube,Z"}), Lines{"cube,ZM="});

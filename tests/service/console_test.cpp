@@ -256,19 +256,22 @@ TEST(Tool, CyclesRefusesWhatItCannotCount)
     EXPECT_EQ(status({"--clock", "0"}), EX_USAGE);
     EXPECT_EQ(status({"--frame", "-1"}), EX_USAGE);
     EXPECT_EQ(status({"--size", "0x0"}), EX_USAGE);
-    EXPECT_EQ(status({"--table", "--set", "OBJ=cube"}), EX_USAGE);
     EXPECT_EQ(status({"--line", "FX=2"}), EX_DATAERR);
     EXPECT_EQ(status({"--set", "OBJ=nosuch"}), EX_DATAERR);
 }
 
-/// Of one accelerator: docs/cycles.md is held to the rest by tests/docs/check_cycles.py.
-TEST(Tool, CyclesTableIsMarkdown)
+/// The frame scale follows the level, in the form that is set.
+TEST(Tool, ZoomPrintsTheFrameOfEachLevel)
 {
     const TemporaryFolder folder;
-    const Finished table = run_tool(folder, {"cycles", "--table", "--accelerator", "sphere"});
-    EXPECT_EQ(table.status, EX_OK) << table.errors;
-    EXPECT_NE(table.output.find("| misses | 1008 | 0.3229 |\n"), std::string::npos);
-    EXPECT_EQ(table.output.find("queries a ray"), std::string::npos) << "another accelerator's";
+    const Finished zoom =
+        run_tool(folder, {"zoom", "--levels", "12,55", "--set", "N=64,FORM=q8_64"});
+    EXPECT_EQ(zoom.status, EX_OK) << zoom.errors;
+    const std::size_t second = zoom.output.find('\n') + 1;
+    EXPECT_NE(zoom.output.substr(0, second).find("N=64,"), std::string::npos) << zoom.output;
+    EXPECT_NE(zoom.output.substr(0, second).find(",SCALE=0,"), std::string::npos) << zoom.output;
+    EXPECT_NE(zoom.output.find(",FORM=q8_64,", second), std::string::npos) << zoom.output;
+    EXPECT_NE(zoom.output.find(",SCALE=43,", second), std::string::npos) << zoom.output;
 }
 
 TEST(Tool, SendsAndTellsByItsStatus)
