@@ -4,6 +4,7 @@
 /// it is missing or goes away, and kept informed of deferred updates.
 #pragma once
 
+#include "board/uio_device.hpp"
 #include "daemon/back_off.hpp"
 #include "daemon/config.hpp"
 #include "daemon/controller.hpp"
@@ -12,7 +13,6 @@
 #include "daemon/interrupt_count.hpp"
 #include "daemon/register_path.hpp"
 #include "drivers/ports.hpp"
-#include "drivers/uio_device.hpp"
 #include "emulation/emulated_block.hpp"
 
 #include <cstdint>
