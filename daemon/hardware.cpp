@@ -138,7 +138,8 @@ Hardware::Hardware(const Config& config, EventLoop& loop, std::function<void()> 
     , open_uio_(std::move(open_uio))
     , wanted_(config.accelerator)
     , look_(loop.add_timer([this] { look_at_place(); }))
-    , retry_open_(loop.add_timer([this] { try_to_open(); }))
+    , again_(
+          loop, "no register block", [this] { try_to_open(); }, "it will be looked for again")
     , retry_deferred_(loop.add_timer([this] { retry_deferred(); }))
 {}
 
@@ -226,27 +227,17 @@ bool Hardware::use(const protocol::Accelerator& accelerator)
 
 void Hardware::try_to_open()
 {
-    if (open_or_retry())
+    if (found(open()))
         on_ready_();
-}
-
-bool Hardware::open_or_retry()
-{
-    return found(open());
 }
 
 bool Hardware::found(const Result<void>& opened)
 {
     if (!opened) {
-        if (opened.error().message != last_problem_)
-            log::warning("no register block: {}; it will be looked for again",
-                         opened.error().message);
-        last_problem_ = opened.error().message;
-        retry_open_->arm(back_off_.next());
+        again_.missing(opened.error());
         return false;
     }
-    last_problem_.clear();
-    back_off_.opened();
+    again_.found();
     log::info("registers: {} {}", path_->accelerator().name,
               path_->extended() ? "with extended registers" : "without extended registers");
     return true;
@@ -275,9 +266,8 @@ void Hardware::drop_bus()
 void Hardware::close()
 {
     log::warning("the register block has gone away; it will be looked for");
-    back_off_.lost();
     drop_bus();
-    retry_open_->arm(back_off_.next());
+    again_.lost();
 }
 
 Applied Hardware::apply(const protocol::Words& words)
