@@ -2,14 +2,14 @@
 /// @file
 /// `raymarchctl overlay`: loads the board's logic and its device tree overlay, takes the overlay
 /// away, and says how both stand.
+#include "board/board_tree.hpp"
+#include "board/device_tree_overlay.hpp"
+#include "board/fpga_manager.hpp"
+#include "board/interrupt_holders.hpp"
+#include "board/logic_loader.hpp"
+#include "board/uio_device.hpp"
 #include "cli/subcommands.hpp"
 #include "drivers/atomic_file.hpp"
-#include "drivers/board_tree.hpp"
-#include "drivers/device_tree_overlay.hpp"
-#include "drivers/fpga_manager.hpp"
-#include "drivers/interrupt_holders.hpp"
-#include "drivers/logic_loader.hpp"
-#include "drivers/uio_device.hpp"
 
 #include <fmt/format.h>
 #include <sysexits.h>
@@ -24,7 +24,7 @@ namespace raymarch::cli
 namespace
 {
 
-using drivers::KernelTree;
+using board::KernelTree;
 
 struct OverlayOptions
 {
@@ -35,8 +35,7 @@ struct OverlayOptions
 
 std::string or_firmware(const KernelTree& tree, const std::string& given, const char* name)
 {
-    return given.empty() ? tree.beside(fmt::format("{}/{}", drivers::firmware_folder, name))
-                         : given;
+    return given.empty() ? tree.beside(fmt::format("{}/{}", board::firmware_folder, name)) : given;
 }
 
 void warn(const std::string& text)
@@ -47,14 +46,14 @@ void warn(const std::string& text)
 /// What the kernel does not count as a failure, and the service would trip over.
 void print_warnings(const KernelTree& tree)
 {
-    if (const auto device = drivers::find_uio(tree, drivers::overlay_uio_name); !device)
+    if (const auto device = board::find_uio(tree, board::overlay_uio_name); !device)
         warn(device.error().message + ": is the driver there, with uio_pdrv_genirq.of_id="
                                       "generic-uio on the kernel's command line?");
-    if (const auto runs = drivers::require_logic_clock(tree); !runs)
+    if (const auto runs = board::require_logic_clock(tree); !runs)
         warn(runs.error().message);
 }
 
-void print_unbound(const std::vector<drivers::InterruptHolder>& holders)
+void print_unbound(const std::vector<board::InterruptHolder>& holders)
 {
     std::string names;
     for (const auto& [device, interrupt] : holders)
@@ -64,10 +63,10 @@ void print_unbound(const std::vector<drivers::InterruptHolder>& holders)
 }
 
 /// It is loaded all the same: the open tools make no others.
-void warn_of_unchecked(const drivers::LogicFiles& files)
+void warn_of_unchecked(const board::LogicFiles& files)
 {
     const auto bitstream =
-        drivers::parse_bitstream(drivers::as_bytes(files.bitstream), files.bitstream_name);
+        board::parse_bitstream(drivers::as_bytes(files.bitstream), files.bitstream_name);
     if (bitstream && !bitstream->checked)
         warn(files.bitstream_name + ": the bitstream carries no check of its contents, so damage "
                                     "to them cannot be seen");
@@ -76,21 +75,20 @@ void warn_of_unchecked(const drivers::LogicFiles& files)
 int load(const OverlayOptions& options)
 {
     KernelTree tree(options.root);
-    drivers::LogicFiles files{.bitstream_name =
-                                  or_firmware(tree, options.bitstream, "raymarch.bit"),
-                              .bitstream = {},
-                              .overlay_name = or_firmware(tree, options.overlay, "raymarch.dtbo"),
-                              .overlay = {}};
-    auto bitstream = drivers::read_file(files.bitstream_name, drivers::largest_bitstream_file);
+    board::LogicFiles files{.bitstream_name = or_firmware(tree, options.bitstream, "raymarch.bit"),
+                            .bitstream = {},
+                            .overlay_name = or_firmware(tree, options.overlay, "raymarch.dtbo"),
+                            .overlay = {}};
+    auto bitstream = drivers::read_file(files.bitstream_name, board::largest_bitstream_file);
     if (!bitstream)
         return report(bitstream.error());
-    auto overlay = drivers::read_file(files.overlay_name, drivers::largest_overlay);
+    auto overlay = drivers::read_file(files.overlay_name, board::largest_overlay);
     if (!overlay)
         return report(overlay.error());
     files.bitstream = std::move(*bitstream);
     files.overlay = std::move(*overlay);
     warn_of_unchecked(files);
-    const auto unbound = drivers::load_logic(tree, files);
+    const auto unbound = board::load_logic(tree, files);
     if (!unbound)
         return report(unbound.error());
     print_unbound(*unbound);
@@ -102,7 +100,7 @@ int load(const OverlayOptions& options)
 int unload(const OverlayOptions& options)
 {
     KernelTree tree(options.root);
-    const auto removed = drivers::unload_logic(tree);
+    const auto removed = board::unload_logic(tree);
     if (!removed)
         return report(removed.error());
     fmt::print("{}\n", *removed ? "the overlay is unloaded; the logic stays configured"
@@ -118,35 +116,35 @@ void print_row(const char* what, const std::string& text)
 /// Who holds an interrupt of the overlay's; nothing is said of an overlay that cannot be read.
 void print_holders(const KernelTree& tree, const std::string& overlay_name)
 {
-    const auto overlay = drivers::read_file(overlay_name, drivers::largest_overlay);
+    const auto overlay = drivers::read_file(overlay_name, board::largest_overlay);
     const auto interrupts =
-        drivers::overlay_interrupts(drivers::as_bytes(overlay.value_or("")), overlay_name);
+        board::overlay_interrupts(drivers::as_bytes(overlay.value_or("")), overlay_name);
     if (!interrupts)
         return;
-    const bool absent = overlay_state(tree, drivers::overlay_name) == drivers::OverlayState::Absent;
+    const bool absent = overlay_state(tree, board::overlay_name) == board::OverlayState::Absent;
     for (const auto& [device, interrupt] :
-         drivers::interrupt_holders(tree, *interrupts, drivers::overlay_uio_name))
+         board::interrupt_holders(tree, *interrupts, board::overlay_uio_name))
         print_row("interrupt", fmt::format("SPI {} of the overlay is held by {}/{}; 'overlay {}' "
                                            "unbinds it",
-                                           interrupt, tree.path(drivers::uio_driver), device,
+                                           interrupt, tree.path(board::uio_driver), device,
                                            absent ? "load" : "unload' and then 'overlay load"));
 }
 
 int status(const OverlayOptions& options)
 {
     const KernelTree tree(options.root);
-    const auto manager = drivers::find_fpga_manager(tree);
+    const auto manager = board::find_fpga_manager(tree);
     print_row("logic", manager ? fmt::format("{} ({})", manager->state, manager->driver)
                                : "no FPGA manager");
-    print_row("overlay", std::string(to_text(overlay_state(tree, drivers::overlay_name))));
-    const auto device = drivers::find_uio(tree, drivers::overlay_uio_name);
+    print_row("overlay", std::string(to_text(overlay_state(tree, board::overlay_name))));
+    const auto device = board::find_uio(tree, board::overlay_uio_name);
     print_row("registers", device ? fmt::format("{}, {} bytes at 0x{:08X}", device->node,
                                                 device->size, device->address)
                                   : device.error().message);
     print_holders(tree, or_firmware(tree, options.overlay, "raymarch.dtbo"));
-    const auto clock = drivers::keeps_logic_clock(tree);
+    const auto clock = board::keeps_logic_clock(tree);
     print_row("clock", !clock ? "the device tree does not tell" : *clock ? "kept" : "not kept");
-    for (const std::string& feature : drivers::missing_features(tree))
+    for (const std::string& feature : board::missing_features(tree))
         print_row("missing", feature);
     return EX_OK;
 }

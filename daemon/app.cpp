@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/app.hpp"
 
-#include "drivers/device_tree_overlay.hpp"
-#include "drivers/fpga_manager.hpp"
-#include "drivers/logic_loader.hpp"
+#include "board/device_tree_overlay.hpp"
+#include "board/fpga_manager.hpp"
+#include "board/logic_loader.hpp"
 
 #include <systemd/sd-daemon.h>
 
@@ -31,9 +31,9 @@ std::uint64_t random_seed()
 }
 
 /// What the FPGA manager says, as one word.
-std::string logic_state(const drivers::KernelTree& tree)
+std::string logic_state(const board::KernelTree& tree)
 {
-    const auto manager = drivers::find_fpga_manager(tree);
+    const auto manager = board::find_fpga_manager(tree);
     std::string state = manager ? manager->state : "none";
     std::ranges::replace(state, ' ', '_');
     return state;
@@ -137,9 +137,9 @@ void App::write_status(protocol::ReplyWriter& reply)
     hosts_->write_serial_status(reply);
     hardware_.write_status(reply);
     panel_->write_status(reply);
-    const drivers::KernelTree tree(config_.sysfs_root);
+    const board::KernelTree tree(config_.sysfs_root);
     reply << " logic=" << logic_state(tree)
-          << " overlay=" << to_text(overlay_state(tree, drivers::overlay_name));
+          << " overlay=" << to_text(overlay_state(tree, board::overlay_name));
     hosts_->write_client_status(reply);
     reply << " uptime=" << static_cast<std::uint64_t>(uptime.count());
 }

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/controller.hpp"
 
-#include "protocol/accelerators.hpp"
 #include "protocol/arguments.hpp"
 #include "protocol/assignments.hpp"
-#include "protocol/help.hpp"
 #include "protocol/views.hpp"
-
-#include <algorithm>
 
 namespace raymarch::daemon
 {
@@ -15,23 +11,6 @@ namespace
 {
 
 using namespace protocol; // NOLINT(google-build-using-namespace): this file speaks nothing else
-
-constexpr std::string_view protocol_version = "1";
-
-/// The first word, and a fault for a second one.
-struct OneWord
-{
-    std::string_view word;
-    std::optional<Fault> more;
-};
-OneWord one_word(Text words, std::string_view allowed) noexcept
-{
-    const std::size_t end = std::min(words.bytes.find_first_of(" \t"), words.bytes.size());
-    OneWord result{words.bytes.substr(0, end), std::nullopt};
-    if (end < words.bytes.size())
-        result.more = argument_fault(words.from(end).trimmed(), allowed);
-    return result;
-}
 
 /// Whether the request would change the registers.
 bool writes(const Request& request) noexcept
@@ -115,85 +94,13 @@ Controller::Outcome Controller::dispatch(const Request& request, SessionSettings
     if (request.kind == Request::Kind::Command) {
         if (auto fault = check_arity(request))
             return fault;
-        return run(request, session, rest, turn_is_over);
+        return run(request.command->id, {request.text, session, rest, turn_is_over});
     }
 
     State state = state_;
     if (auto fault = read_frame(*accelerator_, request.text, state))
         return fault;
     return apply(state);
-}
-
-Controller::Outcome Controller::run(const Request& request, SessionSettings& session,
-                                    Unfinished& rest, const TurnIsOver& turn_is_over)
-{
-    State state = state_;
-    std::string_view group_name;
-    switch (request.command->id) {
-    case CommandId::Set:
-        return assign(request.text);
-    case CommandId::View:
-        if (auto fault = apply_view(*accelerator_, request.text, state))
-            return fault;
-        return apply(state);
-    case CommandId::Hue:
-        if (auto fault = apply_hue(*accelerator_, request.text, state))
-            return fault;
-        return apply(state);
-    case CommandId::Get:
-        return get(request.text);
-    case CommandId::Regs:
-        reply_ << "OK";
-        write_words(reply_, *accelerator_, words_);
-        reply_.end_line();
-        return std::nullopt;
-    case CommandId::Reset:
-        if (auto fault = group(request.text, group_name))
-            return fault;
-        reset(*accelerator_, group_name, state);
-        return apply(state);
-    case CommandId::Random:
-        if (auto fault = group(request.text, group_name))
-            return fault;
-        randomise(*accelerator_, group_name, random_, state);
-        return apply(state);
-    case CommandId::Status:
-        status();
-        return std::nullopt;
-    case CommandId::Preset:
-        return preset(request.text);
-    case CommandId::Save:
-        rest.what_ =
-            Unfinished::Stored{CommandId::Save, accelerator_, storage_.save(*accelerator_, state_)};
-        return go_on(rest, turn_is_over);
-    case CommandId::Load:
-        rest.what_ =
-            Unfinished::Stored{CommandId::Load, accelerator_, storage_.load(*accelerator_)};
-        return go_on(rest, turn_is_over);
-    case CommandId::Accelerator:
-        return switch_accelerator(request.text);
-    case CommandId::Walk:
-        return move(read_walk(request.text), rest, turn_is_over);
-    case CommandId::Turn:
-        return move(read_turn(request.text), rest, turn_is_over);
-    case CommandId::Animate:
-        return animate_at(request.text);
-    case CommandId::Echo:
-        return echo(request.text, session);
-    case CommandId::Version:
-        reply_ << "OK version=" << RAYMARCH_VERSION << " protocol=" << protocol_version;
-        reply_.end_line();
-        return std::nullopt;
-    case CommandId::Ping:
-        ok();
-        return std::nullopt;
-    case CommandId::Help:
-        if (!write_help(reply_, *accelerator_, request.text.bytes))
-            return argument_fault(request.text, "HELP alone lists what there is");
-        ok();
-        return std::nullopt;
-    }
-    return Fault{.code = ErrorCode::UnknownCommand};
 }
 
 Controller::Outcome Controller::apply(const State& state)
@@ -232,66 +139,6 @@ void Controller::hold(const State& state, const Words& words)
     words_ = words;
 }
 
-Controller::Outcome Controller::assign(Text words)
-{
-    State state = state_;
-    ParameterSet given;
-    if (auto fault = read_assignments(*accelerator_, words, state, given))
-        return fault;
-    return apply(state);
-}
-
-Controller::Outcome Controller::get(Text words)
-{
-    reply_ << "OK ";
-    if (words.empty()) {
-        write_state(reply_, *accelerator_, state_);
-        reply_.end_line();
-        return std::nullopt;
-    }
-    ParameterSet given;
-    Text rest = words;
-    for (bool more = true; more;) {
-        const Piece piece = take_until(rest, ',');
-        more = piece.found;
-        const Text key = piece.text.trimmed();
-        const auto index = find_parameter(*accelerator_, key.bytes);
-        if (!index || given[*index]) {
-            Fault fault = argument_fault(key, "GET takes the keys of parameters, each once");
-            if (std::ranges::all_of(key.bytes, is_letter))
-                fault.word = key.bytes;
-            return fault;
-        }
-        if (given.any())
-            reply_ << ',';
-        given.set(*index);
-        write_assignment(reply_, *accelerator_, state_, *index);
-    }
-    reply_.end_line();
-    return std::nullopt;
-}
-
-Controller::Outcome Controller::preset(Text words)
-{
-    if (words.empty()) {
-        reply_ << "OK presets=";
-        for (std::size_t i = 0; i < accelerator_->presets.size(); ++i)
-            reply_ << (i == 0 ? "" : ",") << accelerator_->presets[i].name;
-        reply_.end_line();
-        return std::nullopt;
-    }
-    for (std::size_t i = 0; i < accelerator_->presets.size(); ++i) {
-        const Preset& row = accelerator_->presets[i];
-        if (!equal_ignoring_case(row.name, words.bytes))
-            continue;
-        Outcome fault = apply(preset_state(*accelerator_, row));
-        if (!fault)
-            preset_ = i;
-        return fault;
-    }
-    return argument_fault(words, "PRESET alone lists the presets");
-}
-
 void Controller::recall(const Accelerator& accelerator)
 {
     accelerator_ = &accelerator;
@@ -299,37 +146,6 @@ void Controller::recall(const Accelerator& accelerator)
     ++changes_;
     state_ = storage_.last(accelerator).value_or(initial_state(accelerator));
     words_ = pack(accelerator, state_);
-}
-
-Controller::Outcome Controller::switch_accelerator(Text words)
-{
-    if (!words.empty()) {
-        const Accelerator* const wanted = find_accelerator(words.bytes);
-        if (wanted == nullptr)
-            return argument_fault(words, "HELP ACCELERATOR names the accelerators");
-        if (wanted != accelerator_) {
-            if (!board_.use(*wanted))
-                return argument_fault(words, "only an emulated block can be switched");
-            recall(*wanted);
-            if (!restore(state_))
-                return Fault{.code = ErrorCode::Hardware};
-        }
-    }
-    reply_ << "OK accelerator=" << accelerator_->name;
-    reply_.end_line();
-    return std::nullopt;
-}
-
-Controller::Outcome Controller::animate_at(Text words)
-{
-    const auto rate = read_animate(words);
-    if (!rate)
-        return rate.error();
-    rate_ = *rate;
-    if (pace_)
-        pace_(rate_);
-    ok();
-    return std::nullopt;
 }
 
 void Controller::animate()
@@ -374,49 +190,6 @@ bool Controller::put(const State& state)
         storage_.changed(*accelerator_, state);
     hold(state, words);
     return true;
-}
-
-Controller::Outcome Controller::echo(Text words, SessionSettings& session)
-{
-    constexpr std::string_view allowed = "ECHO takes on or off";
-    const OneWord first = one_word(words, allowed);
-    const bool on = equal_ignoring_case(first.word, "on");
-    if (!on && !equal_ignoring_case(first.word, "off"))
-        return argument_fault(words, allowed);
-    if (first.more)
-        return first.more;
-    session.echo = on;
-    ok();
-    return std::nullopt;
-}
-
-Controller::Outcome Controller::group(Text words, std::string_view& name) const
-{
-    if (words.empty())
-        return std::nullopt;
-    const OneWord first = one_word(words, "one group, or none for all");
-    const auto found = find_group(*accelerator_, first.word);
-    if (!found)
-        return argument_fault(words, "HELP RESET names the groups");
-    if (first.more)
-        return first.more;
-    name = *found;
-    return std::nullopt;
-}
-
-void Controller::status()
-{
-    std::uint64_t rejected = 0;
-    for (const std::uint64_t count : rejected_)
-        rejected += count;
-    reply_ << "OK accelerator=" << accelerator_->name;
-    status_.write_status(reply_);
-    reply_ << " animate=" << std::uint64_t{rate_} << " locked=" << (locked_ ? "on" : "off")
-           << " applied=" << applied_ << " rejected=" << rejected << " echoed=" << echoed_;
-    for (const ErrorRow& row : errors)
-        if (const std::uint64_t count = rejected_[static_cast<std::size_t>(row.code)]; count > 0)
-            reply_ << " rejected." << row.name << '=' << count;
-    reply_.end_line();
 }
 
 void Controller::ok()

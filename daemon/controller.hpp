@@ -136,10 +136,17 @@ class Controller
 
   private:
     using Outcome = std::optional<protocol::Fault>;
+    /// What a command works on besides the present state.
+    struct Call
+    {
+        protocol::Text words; ///< behind the command's own
+        SessionSettings& session;
+        Unfinished& rest;
+        const TurnIsOver& turn_is_over;
+    };
     [[nodiscard]] Outcome dispatch(const protocol::Request& request, SessionSettings& session,
                                    Unfinished& rest, const TurnIsOver& turn_is_over);
-    [[nodiscard]] Outcome run(const protocol::Request& request, SessionSettings& session,
-                              Unfinished& rest, const TurnIsOver& turn_is_over);
+    [[nodiscard]] Outcome run(protocol::CommandId command, const Call& call);
     [[nodiscard]] Outcome go_on(Unfinished& rest, const TurnIsOver& turn_is_over);
     /// Returns the reply for an outcome, or an empty one where the policy wants none.
     [[nodiscard]] std::string_view settle(const Outcome& fault, bool writes, bool checksummed);
@@ -151,23 +158,37 @@ class Controller
     /// Applies a state that no line asked for, so that there is no reply and no number. Returns
     /// false when the board does not take it.
     bool put(const protocol::State& state);
-    [[nodiscard]] Outcome assign(protocol::Text words);
-    [[nodiscard]] Outcome get(protocol::Text words);
-    [[nodiscard]] Outcome preset(protocol::Text words);
-    [[nodiscard]] Outcome switch_accelerator(protocol::Text words);
     [[nodiscard]] Outcome move(const tl::expected<Steps, protocol::Fault>& steps, Unfinished& rest,
                                const TurnIsOver& turn_is_over);
     [[nodiscard]] Outcome move_on(Unfinished& rest, const TurnIsOver& turn_is_over);
     void end_movement(Unfinished& rest);
     [[nodiscard]] Outcome take_stored(Unfinished& rest);
     [[nodiscard]] Outcome may_go_on(const protocol::Accelerator& accelerator) const;
-    [[nodiscard]] Outcome animate_at(protocol::Text words);
-    [[nodiscard]] Outcome echo(protocol::Text words, SessionSettings& session);
     [[nodiscard]] Outcome group(protocol::Text words, std::string_view& name) const;
-    void status();
     void ok();
     /// Makes this accelerator the present one, with its last state, or its defaults without one.
     void recall(const protocol::Accelerator& accelerator);
+
+    // The commands, in the order of protocol/commands.hpp: daemon/commands.cpp.
+    [[nodiscard]] Outcome assign(const Call& call);
+    [[nodiscard]] Outcome set_view(const Call& call);
+    [[nodiscard]] Outcome set_hue(const Call& call);
+    [[nodiscard]] Outcome get(const Call& call);
+    [[nodiscard]] Outcome write_registers(const Call& call);
+    [[nodiscard]] Outcome reset_group(const Call& call);
+    [[nodiscard]] Outcome draw_random(const Call& call);
+    [[nodiscard]] Outcome write_status(const Call& call);
+    [[nodiscard]] Outcome preset(const Call& call);
+    [[nodiscard]] Outcome save(const Call& call);
+    [[nodiscard]] Outcome load(const Call& call);
+    [[nodiscard]] Outcome switch_accelerator(const Call& call);
+    [[nodiscard]] Outcome walk(const Call& call);
+    [[nodiscard]] Outcome turn(const Call& call);
+    [[nodiscard]] Outcome animate_at(const Call& call);
+    [[nodiscard]] Outcome echo(const Call& call);
+    [[nodiscard]] Outcome write_version(const Call& call);
+    [[nodiscard]] Outcome ping(const Call& call);
+    [[nodiscard]] Outcome help(const Call& call);
 
     const protocol::Accelerator* accelerator_;
     Policy policy_;

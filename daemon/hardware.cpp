@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/hardware.hpp"
 
+#include "board/board_tree.hpp"
+#include "board/fpga_manager.hpp"
+#include "board/kernel_tree.hpp"
+#include "board/logic_loader.hpp"
+#include "board/uio_device.hpp"
 #include "drivers/atomic_file.hpp"
-#include "drivers/board_tree.hpp"
-#include "drivers/fpga_manager.hpp"
-#include "drivers/kernel_tree.hpp"
 #include "drivers/lock_file.hpp"
-#include "drivers/logic_loader.hpp"
 #include "drivers/mapped_window.hpp"
-#include "drivers/uio_device.hpp"
 #include "engine/models.hpp"
 #include "pictures/picture_file.hpp"
 
@@ -59,7 +59,7 @@ protocol::PictureSize emulated_size(const Config& config, const protocol::Accele
 struct Opener
 {
     const Config& config;
-    const drivers::KernelTree& tree;
+    const board::KernelTree& tree;
     const OpenUio& open_uio;
     const protocol::Accelerator& accelerator;
     emulation::EmulatedBlock*& emulated;
@@ -87,29 +87,29 @@ struct Opener
     {
         if (!device)
             return fail(device.error());
-        if (auto safe = drivers::require_operating_logic(tree); !safe)
+        if (auto safe = board::require_operating_logic(tree); !safe)
             return fail(safe.error());
-        if (auto runs = drivers::require_logic_clock(tree); !runs)
+        if (auto runs = board::require_logic_clock(tree); !runs)
             return fail(runs.error());
         place = device->node;
         return open_uio(*device);
     }
     BusResult operator()(const AutoRegisters&) const
     {
-        const auto found = drivers::find_uio(tree, drivers::overlay_uio_name);
+        const auto found = board::find_uio(tree, board::overlay_uio_name);
         // Two of them are a mistake, and a board's logic may come later.
-        if (found || found.error().kind != ErrorKind::Unavailable || drivers::is_zynq(tree))
+        if (found || found.error().kind != ErrorKind::Unavailable || board::is_zynq(tree))
             return device(found);
         log::notice("{}: the accelerator is emulated", found.error().message);
         return emulate();
     }
     BusResult operator()(const UioNode& where) const
     {
-        return device(drivers::describe_uio(tree, where.path));
+        return device(board::describe_uio(tree, where.path));
     }
     BusResult operator()(const UioName& where) const
     {
-        return device(drivers::find_uio(tree, where.name));
+        return device(board::find_uio(tree, where.name));
     }
     BusResult operator()(const RegisterFile& where) const
     {
@@ -138,7 +138,8 @@ Hardware::Hardware(const Config& config, EventLoop& loop, std::function<void()> 
     , open_uio_(std::move(open_uio))
     , wanted_(config.accelerator)
     , look_(loop.add_timer([this] { look_at_place(); }))
-    , retry_open_(loop.add_timer([this] { try_to_open(); }))
+    , again_(
+          loop, "no register block", [this] { try_to_open(); }, "it will be looked for again")
     , retry_deferred_(loop.add_timer([this] { retry_deferred(); }))
 {}
 
@@ -154,7 +155,7 @@ Result<void> Hardware::start()
 
 Result<void> Hardware::open()
 {
-    const drivers::KernelTree tree(config_.sysfs_root);
+    const board::KernelTree tree(config_.sysfs_root);
     place_.clear();
     auto bus = std::visit(Opener{config_, tree, open_uio_, *wanted_, emulated_, place_},
                           config_.registers);
@@ -226,27 +227,17 @@ bool Hardware::use(const protocol::Accelerator& accelerator)
 
 void Hardware::try_to_open()
 {
-    if (open_or_retry())
+    if (found(open()))
         on_ready_();
-}
-
-bool Hardware::open_or_retry()
-{
-    return found(open());
 }
 
 bool Hardware::found(const Result<void>& opened)
 {
     if (!opened) {
-        if (opened.error().message != last_problem_)
-            log::warning("no register block: {}; it will be looked for again",
-                         opened.error().message);
-        last_problem_ = opened.error().message;
-        retry_open_->arm(back_off_.next());
+        again_.missing(opened.error());
         return false;
     }
-    last_problem_.clear();
-    back_off_.opened();
+    again_.found();
     log::info("registers: {} {}", path_->accelerator().name,
               path_->extended() ? "with extended registers" : "without extended registers");
     return true;
@@ -275,9 +266,8 @@ void Hardware::drop_bus()
 void Hardware::close()
 {
     log::warning("the register block has gone away; it will be looked for");
-    back_off_.lost();
     drop_bus();
-    retry_open_->arm(back_off_.next());
+    again_.lost();
 }
 
 Applied Hardware::apply(const protocol::Words& words)

@@ -4,15 +4,15 @@
 /// it is missing or goes away, and kept informed of deferred updates.
 #pragma once
 
-#include "daemon/back_off.hpp"
+#include "board/uio_device.hpp"
 #include "daemon/config.hpp"
 #include "daemon/controller.hpp"
 #include "daemon/event_loop.hpp"
 #include "daemon/frame_rate.hpp"
 #include "daemon/interrupt_count.hpp"
 #include "daemon/register_path.hpp"
+#include "daemon/reopener.hpp"
 #include "drivers/ports.hpp"
-#include "drivers/uio_device.hpp"
 #include "emulation/emulated_block.hpp"
 
 #include <cstdint>
@@ -67,9 +67,8 @@ class Hardware final : public Board
   private:
     [[nodiscard]] Result<void> open();
     [[nodiscard]] Result<void> probe();
-    /// False, and it will be tried again, when the block is not there.
-    bool open_or_retry();
-    /// The same of the outcome of open().
+    /// Of the outcome of open(): when the block is not there it will be looked for again, and the
+    /// result is false.
     bool found(const Result<void>& opened);
     void try_to_open();
     void drop_bus();
@@ -88,8 +87,6 @@ class Hardware final : public Board
     OpenUio open_uio_;
     const protocol::Accelerator* wanted_; ///< what an emulated block is, and a plain one taken for
     emulation::EmulatedBlock* emulated_ = nullptr; ///< bus_, where it is one
-    BackOff back_off_;
-    std::string last_problem_; ///< logged once, not at each attempt
     std::uint64_t readback_errors_ = 0;
     bool faulty_ = false;
 
@@ -103,7 +100,7 @@ class Hardware final : public Board
     std::string place_;                ///< of the file or node behind bus_; empty: there is none
     Source watch_;                     ///< of place_
     Source look_;                      ///< something has changed there
-    Source retry_open_;
+    Reopener again_;
     Source retry_deferred_;
 };
 

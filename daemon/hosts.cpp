@@ -50,24 +50,18 @@ Hosts::Hosts(const Config& config, EventLoop& loop, Turns& turns, Controller& co
     , turns_(turns)
     , controller_(controller)
     , look_(loop.add_timer([this] { look_at_places(); }))
-    , retry_serial_(loop.add_timer([this] { open_serial(); }))
-    , retry_link_(loop.add_timer([this] { mend_link(); }))
-    , retry_control_(loop.add_timer([this] { open_control(); }))
-    , retry_accept_(loop.add_timer([this] {
-        if (accept_)
-            accept_->watch(EPOLLIN);
-    }))
+    , serial_again_(loop, "no serial host", [this] { open_serial(); })
+    , link_again_(loop, "no link to the pseudo-terminal", [this] { mend_link(); })
+    , control_again_(loop, "no control socket", [this] { open_control(); })
+    , accept_again_(loop, "a client of the control socket cannot be served",
+                    [this] {
+                        if (accept_)
+                            accept_->watch(EPOLLIN);
+                    })
     , log_turned_away_(loop.add_timer([this] { count_turned_away(); }))
 {}
 
 Hosts::~Hosts() = default;
-
-void Hosts::log_once(std::string& last, const Error& error, const char* what)
-{
-    if (error.message != last)
-        log::warning("{}: {}; it will be tried again", what, error.message);
-    last = error.message;
-}
 
 // --- the serial port ---
 
@@ -84,21 +78,16 @@ void Hosts::open_serial()
                             dropped_before_ += gone.session().dropped_replies();
                             hang_ups_before_ += gone.session().hang_ups();
                             drop_serial();
-                            serial_back_off_.lost();
-                            retry_serial_->arm(serial_back_off_.next());
+                            serial_again_.lost();
                         });
         if (const auto problem = loop_.take_problem()) {
             drop_serial();
             port = fail(*problem);
         }
     }
-    if (!port) {
-        log_once(serial_problem_, port.error(), "no serial host");
-        retry_serial_->arm(serial_back_off_.next());
-        return;
-    }
-    serial_problem_.clear();
-    serial_back_off_.opened();
+    if (!port)
+        return serial_again_.missing(port.error());
+    serial_again_.found();
     link_away_ = false;
     if (terminal_ != nullptr)
         watch_terminal();
@@ -142,13 +131,9 @@ void Hosts::open_control()
             listener = fail(*problem);
         }
     }
-    if (!listener) {
-        log_once(control_problem_, listener.error(), "no control socket");
-        retry_control_->arm(control_back_off_.next());
-        return;
-    }
-    control_problem_.clear();
-    control_back_off_.opened();
+    if (!listener)
+        return control_again_.missing(listener.error());
+    control_again_.found();
     watch_control_ = watch_place(config_.control);
 }
 
@@ -156,11 +141,10 @@ void Hosts::open_control()
 /// readable and would wake the loop again and again.
 void Hosts::pause_accepting(const Error& problem)
 {
-    log_once(accept_problem_, problem, "a client of the control socket cannot be served");
     accept_->watch(0);
     if (!std::exchange(accept_pauses_, true))
-        accept_back_off_.lost();
-    retry_accept_->arm(accept_back_off_.next());
+        accept_again_.some_lost();
+    accept_again_.missing(problem);
 }
 
 void Hosts::accept_client()
@@ -178,10 +162,8 @@ void Hosts::accept_client()
         forget(clients_.back());
         return pause_accepting(*problem);
     }
-    if (!std::exchange(accept_pauses_, false))
-        return;
-    accept_problem_.clear(); // a later shortage is to be logged again
-    accept_back_off_.opened();
+    if (std::exchange(accept_pauses_, false))
+        accept_again_.found();
 }
 
 void Hosts::forget(Endpoint& client)
@@ -276,16 +258,14 @@ void Hosts::look_at_places()
                      config_.control);
         accept_.reset();
         listener_.reset(); // connected clients stay connected
-        control_back_off_.lost();
-        retry_control_->arm(control_back_off_.next());
+        control_again_.lost();
     }
     if (terminal_ != nullptr && !terminal_->link_in_place() && !std::exchange(link_away_, true)) {
         log::warning(
             "the link to the pseudo-terminal, {}, was removed or replaced; it will be made "
             "again",
             std::get<PseudoTerminalLink>(config_.serial).link);
-        link_back_off_.lost();
-        retry_link_->arm(link_back_off_.next());
+        link_again_.lost();
     }
 }
 
@@ -293,14 +273,10 @@ void Hosts::mend_link()
 {
     if (terminal_ == nullptr)
         return; // the next terminal makes its own link
-    if (const auto restored = terminal_->restore_link(); !restored) {
-        log_once(link_problem_, restored.error(), "no link to the pseudo-terminal");
-        retry_link_->arm(link_back_off_.next());
-        return;
-    }
+    if (const auto restored = terminal_->restore_link(); !restored)
+        return link_again_.missing(restored.error());
     link_away_ = false;
-    link_problem_.clear();
-    link_back_off_.opened();
+    link_again_.found();
     watch_link_ = watch_place(std::get<PseudoTerminalLink>(config_.serial).link);
 }
 

@@ -4,11 +4,11 @@
 /// configuration names them and looked for again when they are missing or go away.
 #pragma once
 
-#include "daemon/back_off.hpp"
 #include "daemon/config.hpp"
 #include "daemon/controller.hpp"
 #include "daemon/endpoint.hpp"
 #include "daemon/event_loop.hpp"
+#include "daemon/reopener.hpp"
 #include "daemon/turns.hpp"
 #include "drivers/pseudo_terminal.hpp"
 #include "drivers/unix_socket.hpp"
@@ -51,7 +51,6 @@ class Hosts
     void turn_away(drivers::BytePort& port);
     void count_turned_away();
     void forget(Endpoint& client);
-    void log_once(std::string& last, const Error& error, const char* what);
     [[nodiscard]] Source watch_place(const std::string& path);
     void look_at_places();
     void mend_link();
@@ -68,27 +67,19 @@ class Hosts
     drivers::PseudoTerminal* terminal_ = nullptr; ///< the port of serial_, where it is one
     std::uint64_t dropped_before_ = 0;            ///< by connections that are gone
     std::uint64_t hang_ups_before_ = 0;           ///< of terminals that are gone
-    std::string serial_problem_;
-    BackOff serial_back_off_;
-    Source retry_serial_;
+    Reopener serial_again_;
 
     bool link_away_ = false;
-    std::string link_problem_;
-    BackOff link_back_off_;
-    Source retry_link_;
+    Reopener link_again_;
     Source watch_link_;
     Source visits_; ///< hosts that come to terminal_ and leave
 
     std::optional<drivers::SocketListener> listener_;
-    std::string control_problem_;
-    BackOff control_back_off_;
-    Source retry_control_;
+    Reopener control_again_;
     Source watch_control_;
 
     bool accept_pauses_ = false;
-    std::string accept_problem_;
-    BackOff accept_back_off_;
-    Source retry_accept_;
+    Reopener accept_again_;
     Source accept_;
     std::uint64_t turned_away_ = 0; ///< since that was logged last
     bool full_was_logged_ = false;

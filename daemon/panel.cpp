@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -30,7 +32,7 @@ Panel::Panel(const Gpio& gpio, EventLoop& loop, Controller& controller, Board& b
     , board_(board)
     , open_(std::move(open))
     , devices_(std::move(devices))
-    , retry_(loop.add_timer([this] { look_for_lines(); }))
+    , again_(loop, "buttons, switches and LEDs", [this] { look_for_lines(); })
     , tick_(loop.add_timer([this] { tick(); }))
 {
     for (std::size_t i = 0; gpio.used && i < gpio.lines.size(); ++i)
@@ -55,10 +57,8 @@ void Panel::start()
 
 void Panel::look_for_lines()
 {
-    if (drop_failed_lines()) { // what is found and lost in turns is not to keep the loop busy
-        retry_->arm(back_off_.next());
-        return;
-    }
+    if (drop_failed_lines()) // what is found and lost in turns is not to keep the loop busy
+        return again_.look_later();
     std::set<std::string> problems;
     bool no_chip = false;
     bool any_chip = false;
@@ -72,14 +72,17 @@ void Panel::look_for_lines()
             any_chip = any_chip || (number != ENODEV && number != ENOENT); // no such path
             continue;
         }
-        back_off_.opened();
+        again_.some_found();
     }
     no_chip = no_chip && !any_chip;
-    report(problems, no_chip);
-    if (!no_chip)
+    if (no_chip) { // most likely it is no board: that is worth no warning
+        again_.tell(problems, log::Level::Info, "one that comes is used");
+    } else {
+        again_.tell(problems);
         arrivals_.reset();
+    }
     if (!problems.empty() && !(no_chip && wait_for_chip()))
-        retry_->arm(back_off_.next());
+        again_.look_later();
     if (std::ranges::any_of(lines_, [](const Line& line) { return line.pin != nullptr; }))
         tick_->arm({});
 }
@@ -95,14 +98,13 @@ bool Panel::wait_for_chip()
                                       const std::string_view name(event.len > 0 ? event.name : "");
                                       if (!name.starts_with("gpiochip") && !name.empty())
                                           return;
-                                      back_off_.reset();
-                                      retry_->arm({});
+                                      again_.look_anew();
                                   });
     if (loop_.take_problem()) {
         arrivals_.reset();
         return false;
     }
-    retry_->arm({}); // one may have come since the look
+    again_.look_now(); // one may have come since the look
     return true;
 }
 
@@ -140,27 +142,13 @@ void Panel::watch(Line& line, bool level)
         act(line, level);
 }
 
-/// A machine without any chip is most likely no board: that is worth no warning.
-void Panel::report(const std::set<std::string>& problems, bool no_chip)
-{
-    std::string fresh;
-    for (const std::string& problem : problems)
-        if (!problems_.contains(problem))
-            fresh += (fresh.empty() ? "" : "; ") + problem;
-    problems_ = problems;
-    if (!fresh.empty())
-        log::line(no_chip ? log::Level::Info : log::Level::Warning,
-                  "buttons, switches and LEDs: {}; {}", fresh,
-                  no_chip ? "one that comes is used" : "it will be tried again");
-}
-
 /// Only noted here, because this may run in a handler of the line's own.
 void Panel::lose(Line& line, const Error& error)
 {
     if (!std::exchange(line.failed, true))
         log::warning("the line of {} has gone away: {}; it will be looked for", line.action.name,
                      error.message);
-    retry_->arm({});
+    again_.look_now();
 }
 
 /// A switch stays as it was last seen; a button that is gone is held no more.
@@ -175,7 +163,7 @@ bool Panel::drop_failed_lines()
         line.repeat.reset();
         line.pin.reset();
         line.failed = false;
-        back_off_.lost();
+        again_.some_lost();
         any = true;
     }
     return any;

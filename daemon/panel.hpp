@@ -5,8 +5,8 @@
 #pragma once
 
 #include "daemon/actions.hpp"
-#include "daemon/back_off.hpp"
 #include "daemon/event_loop.hpp"
+#include "daemon/reopener.hpp"
 #include "drivers/debouncer.hpp"
 #include "drivers/gpio_line.hpp"
 #include "drivers/led_patterns.hpp"
@@ -16,7 +16,6 @@
 #include <list>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 
 namespace raymarch::daemon
@@ -66,7 +65,6 @@ class Panel
     [[nodiscard]] bool wait_for_chip();
     [[nodiscard]] Result<void> open(Line& line);
     void watch(Line& line, bool level);
-    void report(const std::set<std::string>& problems, bool no_chip);
     /// Whether there was one.
     bool drop_failed_lines();
     void lose(Line& line, const Error& error);
@@ -90,10 +88,8 @@ class Panel
     const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 
     drivers::Blinker accepted_;
-    BackOff back_off_;
-    std::set<std::string> problems_; ///< logged once, not at each attempt
+    Reopener again_;
     std::list<Line> lines_;
-    Source retry_;
     Source tick_;
     Source arrivals_; ///< of chips; only while there is none
 };

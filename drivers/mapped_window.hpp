@@ -6,7 +6,6 @@
 #include "base/result.hpp"
 #include "base/unique_fd.hpp"
 #include "drivers/ports.hpp"
-#include "drivers/uio_device.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +14,16 @@
 
 namespace raymarch::drivers
 {
+
+/// One UIO device and its first region, map0.
+struct UioDevice
+{
+    std::string node;          ///< what is opened: `/dev/uio0`
+    std::string name;          ///< what the device tree calls it
+    std::uint64_t address = 0; ///< of the region, physical
+    std::size_t size = 0;      ///< of the region in bytes
+    std::size_t offset = 0;    ///< of the region within its first page
+};
 
 /// An open, mapped window; owns the descriptor and the mapping.
 ///

@@ -5,7 +5,7 @@
 /// waits for a frame.
 #include "daemon/hardware.hpp"
 
-#include "drivers/logic_loader.hpp"
+#include "board/logic_loader.hpp"
 #include "protocol/accelerators.hpp"
 #include "tests/fakes/fake_kernel.hpp"
 #include "tests/fakes/recording_bus.hpp"
@@ -53,7 +53,7 @@ class UioHardware : public testing::Test
   protected:
     UioHardware()
     {
-        config.registers = UioName{drivers::overlay_uio_name};
+        config.registers = UioName{board::overlay_uio_name};
         config.sysfs_root = root;
         bus.memory[0x20] = protocol::id_value;
     }

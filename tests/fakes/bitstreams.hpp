@@ -4,7 +4,7 @@
 /// "Bitstream Composition").
 #pragma once
 
-#include "drivers/bitstream.hpp"
+#include "board/bitstream.hpp"
 
 #include <array>
 #include <cstddef>
@@ -25,14 +25,14 @@ enum class Check : std::uint8_t {
 };
 
 inline constexpr std::size_t whole_frames =
-    drivers::zynq_7020.frames + drivers::zynq_7020.padding_frames;
+    board::zynq_7020.frames + board::zynq_7020.padding_frames;
 
 /// What a bitstream is to be; the default is a whole one for the board.
 struct BitstreamPlan
 {
     std::string design = "top;UserID=0XFFFFFFFF;Version=2020.1";
-    std::string part = std::string(drivers::zynq_7020.part);
-    std::uint32_t idcode = drivers::zynq_7020.idcode;
+    std::string part = std::string(board::zynq_7020.part);
+    std::uint32_t idcode = board::zynq_7020.idcode;
     std::optional<std::uint32_t> second_idcode; ///< written as well, after the first
     std::size_t frames = whole_frames;          ///< with their data
     std::size_t repeated_frames = 0;            ///< compressed: frames that repeat another's data
@@ -44,10 +44,10 @@ struct BitstreamPlan
 /// A compressed one for the whole board is the shortest: a test that takes it is quick.
 [[nodiscard]] inline BitstreamPlan compressed_plan()
 {
-    return {.frames = 2, .repeated_frames = drivers::zynq_7020.frames};
+    return {.frames = 2, .repeated_frames = board::zynq_7020.frames};
 }
 
-/// One bit after the other, as the hardware does: slow, and not the way of drivers/.
+/// One bit after the other, as the hardware does: slow, and not the way of board/.
 [[nodiscard]] inline std::uint32_t reference_crc(std::uint32_t crc, std::uint32_t address,
                                                  std::uint32_t word)
 {
@@ -80,7 +80,7 @@ class WordWriter
     }
     void frames(std::size_t count)
     {
-        const std::size_t size = count * drivers::words_a_frame;
+        const std::size_t size = count * board::words_a_frame;
         plain(0x3000'4000);
         plain(0x5000'0000U | static_cast<std::uint32_t>(size));
         for (std::size_t i = 0; i < size; ++i)
@@ -179,14 +179,14 @@ class WordWriter
 
 /// A `.bin` is low byte first, the data of a `.bit` high byte first.
 [[nodiscard]] inline std::string bytes_of(const std::vector<std::uint32_t>& words,
-                                          drivers::BitstreamForm form)
+                                          board::BitstreamForm form)
 {
     std::string bytes;
     bytes.reserve(4 * words.size());
     for (const std::uint32_t word : words)
         for (int i = 0; i < 4; ++i)
-            bytes += static_cast<char>(word >>
-                                       (form == drivers::BitstreamForm::Bin ? 8 * i : 24 - 8 * i));
+            bytes +=
+                static_cast<char>(word >> (form == board::BitstreamForm::Bin ? 8 * i : 24 - 8 * i));
     return bytes;
 }
 
@@ -200,7 +200,7 @@ class WordWriter
 
 [[nodiscard]] inline std::string make_bin(const BitstreamPlan& plan = {})
 {
-    return bytes_of(configuration_words(plan), drivers::BitstreamForm::Bin);
+    return bytes_of(configuration_words(plan), board::BitstreamForm::Bin);
 }
 
 /// Words with the header of a `.bit`.
@@ -208,7 +208,7 @@ class WordWriter
                                         const BitstreamPlan& plan = {})
 {
     using namespace std::string_literals;
-    const std::string data = bytes_of(words, drivers::BitstreamForm::Bit);
+    const std::string data = bytes_of(words, board::BitstreamForm::Bit);
     std::string bytes = "\x00\x09\x0F\xF0\x0F\xF0\x0F\xF0\x0F\xF0\x00\x00\x01"s;
     const auto field = [&](char letter, const std::string& text) {
         bytes += letter + big_endian(text.size() + 1, 2) + text + '\0';

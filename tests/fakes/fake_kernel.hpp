@@ -4,8 +4,8 @@
 /// that Linux prints them, which answers what is written to it as the kernel does.
 #pragma once
 
-#include "drivers/device_tree_overlay.hpp"
-#include "drivers/kernel_tree.hpp"
+#include "board/device_tree_overlay.hpp"
+#include "board/kernel_tree.hpp"
 #include "tests/fakes/bitstreams.hpp"
 #include "tests/fakes/temporary_folder.hpp"
 
@@ -77,7 +77,7 @@ inline void add_platform_device(const std::string& root, const std::string& name
                                               folder + "/" + name);
 }
 
-class FakeKernel final : public drivers::KernelTree
+class FakeKernel final : public board::KernelTree
 {
   public:
     /// The root is `sys` in `folder`, the firmware in `lib/firmware` beside it. What it has is that
@@ -89,7 +89,7 @@ class FakeKernel final : public drivers::KernelTree
         add_fpga_manager(root_, "unknown");
         write_text(path(std::string(fpga0) + "/flags"), "20\n");
         write_text(path(std::string(fpga0) + "/firmware"), "");
-        std::filesystem::create_directories(path(drivers::overlays_folder));
+        std::filesystem::create_directories(path(board::overlays_folder));
         std::filesystem::create_directories(beside("lib/firmware"));
     }
 

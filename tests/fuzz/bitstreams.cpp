@@ -4,8 +4,8 @@
 /// Frames with their check sequence are taken whatever they hold, and not when a bit of them is
 /// another. What is read of an overlay lies within it.
 #include "tests/fakes/bitstreams.hpp"
-#include "drivers/bitstream.hpp"
-#include "drivers/flat_tree.hpp"
+#include "board/bitstream.hpp"
+#include "board/flat_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,16 +24,16 @@ using Bytes = std::span<const std::uint8_t>;
 
 void check(Bytes bytes)
 {
-    const auto bitstream = drivers::parse_bitstream(bytes, "any");
+    const auto bitstream = board::parse_bitstream(bytes, "any");
     if (!bitstream)
         return;
-    static_cast<void>(drivers::check_bitstream(*bitstream, drivers::zynq_7020, "any"));
-    const auto bin = drivers::bin_of(*bitstream);
-    const auto again = drivers::parse_bitstream(bin, "again");
-    if (!again || again->form != drivers::BitstreamForm::Bin ||
-        again->idcode != bitstream->idcode || again->compressed != bitstream->compressed ||
-        again->checked != bitstream->checked || again->frame_words != bitstream->frame_words ||
-        again->repeated_frames != bitstream->repeated_frames || drivers::bin_of(*again) != bin)
+    static_cast<void>(board::check_bitstream(*bitstream, board::zynq_7020, "any"));
+    const auto bin = board::bin_of(*bitstream);
+    const auto again = board::parse_bitstream(bin, "again");
+    if (!again || again->form != board::BitstreamForm::Bin || again->idcode != bitstream->idcode ||
+        again->compressed != bitstream->compressed || again->checked != bitstream->checked ||
+        again->frame_words != bitstream->frame_words ||
+        again->repeated_frames != bitstream->repeated_frames || board::bin_of(*again) != bin)
         std::abort();
 }
 
@@ -59,17 +59,17 @@ void check_frames(Bytes bytes)
         crc = test::reference_crc(crc, 2, word);
     }
     words.insert(words.end(), {0x3000'0001, crc});
-    words.insert(words.end(), frame + drivers::words_a_frame + 2, around.end());
-    const std::string whole = test::bytes_of(words, drivers::BitstreamForm::Bin);
+    words.insert(words.end(), frame + board::words_a_frame + 2, around.end());
+    const std::string whole = test::bytes_of(words, board::BitstreamForm::Bin);
     std::vector<std::uint8_t> bin(whole.begin(), whole.end());
-    const auto taken = drivers::parse_bitstream(bin, "made");
+    const auto taken = board::parse_bitstream(bin, "made");
     if (!taken || !taken->checked || taken->frame_words != bytes.size() / 4)
         std::abort();
     if (bytes.size() < 4)
         return;
     const std::size_t at = crc % (bytes.size() / 4 * 4); // any
     bin[4 * frames_at + at] ^= static_cast<std::uint8_t>(1U << (crc >> 29));
-    if (drivers::parse_bitstream(bin, "damaged"))
+    if (board::parse_bitstream(bin, "damaged"))
         std::abort();
 }
 
@@ -92,7 +92,7 @@ void check_tree(Bytes bytes)
     tree.insert(tree.end(), bytes.begin(), bytes.end());
     for (std::size_t i = 0; i < 4; ++i)
         tree[4 + i] = static_cast<std::uint8_t>(tree.size() >> (24 - 8 * i));
-    const auto values = drivers::values_of(tree, "", "any");
+    const auto values = board::values_of(tree, "", "any");
     if (!values)
         return;
     for (const Bytes value : *values)
@@ -126,7 +126,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (std::size_t i = 4; i-- > 0;)
             bit.push_back(bin_sync[word + i]);
     check_behind(bit, bytes);
-    static_cast<void>(drivers::values_of(bytes, "", "any"));
+    static_cast<void>(board::values_of(bytes, "", "any"));
     check_tree(bytes);
     return 0;
 }

@@ -2,11 +2,11 @@
 /// @file
 /// The overlays, applied to a Zynq's tree, against the tables: what Linux is told of the logic is
 /// what the service, the tool and the register tables say.
+#include "board/device_tree_overlay.hpp"
+#include "board/interrupt_holders.hpp"
+#include "board/logic_loader.hpp"
 #include "daemon/actions.hpp"
 #include "drivers/atomic_file.hpp"
-#include "drivers/device_tree_overlay.hpp"
-#include "drivers/interrupt_holders.hpp"
-#include "drivers/logic_loader.hpp"
 #include "protocol/accelerators.hpp"
 #include "protocol/registers.hpp"
 #include "tests/fakes/temporary_folder.hpp"
@@ -119,10 +119,10 @@ TEST(Overlay, TheNamesAreThoseThatTheProgramsLookFor)
 {
     const Tree tree("raymarch.dtbo");
     EXPECT_EQ(tree.strings(registers, "linux,uio-name"),
-              std::vector<std::string>{drivers::overlay_uio_name});
+              std::vector<std::string>{board::overlay_uio_name});
     EXPECT_EQ(tree.strings(registers, "compatible"), std::vector<std::string>{"generic-uio"});
     EXPECT_EQ(tree.strings("/fpga-full", "firmware-name"),
-              std::vector<std::string>{drivers::overlay_firmware});
+              std::vector<std::string>{board::overlay_firmware});
 }
 
 TEST(Overlay, EveryInterruptIsALevelOfItsOwnFromTheLogic)
@@ -145,19 +145,19 @@ TEST(Overlay, EveryInterruptIsALevelOfItsOwnFromTheLogic)
 TEST(Overlay, ItsInterruptsAreReadFromTheCompiledFile)
 {
     const Tree tree("raymarch.dtbo");
-    std::vector<drivers::SharedInterrupt> expected;
+    std::vector<board::SharedInterrupt> expected;
     for (const std::string& node : logic_nodes(tree))
         if (node != "/axi/gpio@41220000") // outputs only
             expected.push_back(
-                static_cast<drivers::SharedInterrupt>(tree.cells(node, "interrupts")[1]));
+                static_cast<board::SharedInterrupt>(tree.cells(node, "interrupts")[1]));
     ASSERT_EQ(expected.size(), 3U);
     const auto blob =
-        drivers::read_file(overlays + "/raymarch.dtbo", drivers::largest_overlay).value();
-    const auto read = drivers::overlay_interrupts(drivers::as_bytes(blob), "raymarch.dtbo");
+        drivers::read_file(overlays + "/raymarch.dtbo", board::largest_overlay).value();
+    const auto read = board::overlay_interrupts(drivers::as_bytes(blob), "raymarch.dtbo");
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_TRUE(std::ranges::is_permutation(*read, expected)) << testing::PrintToString(*read);
     for (std::size_t size = 0; size < blob.size(); ++size)
-        EXPECT_FALSE(drivers::overlay_interrupts(drivers::as_bytes(blob).first(size), "cut"));
+        EXPECT_FALSE(board::overlay_interrupts(drivers::as_bytes(blob).first(size), "cut"));
 }
 
 TEST(Overlay, AddressesAreThoseOfTheNodesAndDoNotOverlap)

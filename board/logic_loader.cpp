@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "drivers/logic_loader.hpp"
+#include "board/logic_loader.hpp"
 
+#include "board/device_tree_overlay.hpp"
+#include "board/fpga_manager.hpp"
 #include "drivers/atomic_file.hpp"
-#include "drivers/device_tree_overlay.hpp"
-#include "drivers/fpga_manager.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <functional>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 namespace
 {
@@ -43,17 +43,18 @@ Result<void> install(const KernelTree& tree, std::span<const std::uint8_t> bin, 
     const auto target = find_target(path);
     if (!target)
         return fail(target.error());
-    auto before = read_file(path, largest_bitstream_file);
+    auto before = drivers::read_file(path, largest_bitstream_file);
     if (!before && target->file) // it could not be put back
         return fail(before.error());
-    if (auto written = replace_file(path, bin, Durability::Durable); !written)
+    if (auto written = drivers::replace_file(path, bin, drivers::Durability::Durable); !written)
         return written;
     undo.add([file = target->path, before = std::move(before)] {
         std::error_code ignored; // what made it necessary is told
         if (!before)
             fs::remove(file, ignored);
         else
-            static_cast<void>(replace_file(file, as_bytes(*before), Durability::Durable));
+            static_cast<void>(drivers::replace_file(file, drivers::as_bytes(*before),
+                                                    drivers::Durability::Durable));
     });
     return {};
 }
@@ -109,14 +110,16 @@ std::vector<std::string> missing_features(const KernelTree& tree)
 Result<std::vector<InterruptHolder>> load_logic(KernelTree& tree, const LogicFiles& files,
                                                 const LogicDevice& device)
 {
-    const auto bitstream = parse_bitstream(as_bytes(files.bitstream), files.bitstream_name);
+    const auto bitstream =
+        parse_bitstream(drivers::as_bytes(files.bitstream), files.bitstream_name);
     if (!bitstream)
         return fail(bitstream.error());
     if (auto fits = check_bitstream(*bitstream, device, files.bitstream_name); !fits)
         return fail(fits.error());
-    if (auto whole = check_overlay(as_bytes(files.overlay), files.overlay_name); !whole)
+    if (auto whole = check_overlay(drivers::as_bytes(files.overlay), files.overlay_name); !whole)
         return fail(whole.error());
-    const auto interrupts = overlay_interrupts(as_bytes(files.overlay), files.overlay_name);
+    const auto interrupts =
+        overlay_interrupts(drivers::as_bytes(files.overlay), files.overlay_name);
     if (!interrupts)
         return fail(interrupts.error());
     if (auto able = require_features(tree); !able)
@@ -163,4 +166,4 @@ Result<bool> unload_logic(KernelTree& tree)
     return true;
 }
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

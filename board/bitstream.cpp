@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "drivers/bitstream.hpp"
+#include "board/bitstream.hpp"
 
-#include "drivers/configuration_crc.hpp"
+#include "board/configuration_crc.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <array>
 #include <optional>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 namespace
 {
@@ -391,4 +391,4 @@ std::vector<std::uint8_t> bin_of(const Bitstream& bitstream)
     return bytes;
 }
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

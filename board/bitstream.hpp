@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 
 enum class BitstreamForm : std::uint8_t { Bit, Bin };
@@ -77,4 +77,4 @@ inline constexpr std::size_t largest_bitstream_file = 32 << 20;
 /// The bytes of a `.bin`, as the kernel takes them.
 [[nodiscard]] std::vector<std::uint8_t> bin_of(const Bitstream& bitstream);
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

@@ -5,14 +5,14 @@
 #pragma once
 
 #include "base/result.hpp"
-#include "drivers/bitstream.hpp"
-#include "drivers/interrupt_holders.hpp"
-#include "drivers/kernel_tree.hpp"
+#include "board/bitstream.hpp"
+#include "board/interrupt_holders.hpp"
+#include "board/kernel_tree.hpp"
 
 #include <string>
 #include <vector>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 
 /// TABLE: what the overlay calls things; overlay/raymarch.dtso says the same, by a test.
@@ -49,4 +49,4 @@ load_logic(KernelTree& tree, const LogicFiles& files, const LogicDevice& device 
 /// overlays), InputOutput.
 [[nodiscard]] Result<bool> unload_logic(KernelTree& tree);
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 
 using TreeBytes = std::span<const std::uint8_t>;
@@ -29,4 +29,4 @@ using TreeBytes = std::span<const std::uint8_t>;
 [[nodiscard]] Result<std::vector<TreeBytes>> values_of(TreeBytes blob, std::string_view name,
                                                        const std::string& file);
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

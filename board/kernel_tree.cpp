@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "drivers/kernel_tree.hpp"
+#include "board/kernel_tree.hpp"
 
 #include "base/unique_fd.hpp"
 #include "drivers/atomic_file.hpp"
@@ -13,7 +13,7 @@
 #include <charconv>
 #include <filesystem>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 
 namespace fs = std::filesystem;
@@ -56,7 +56,7 @@ std::vector<std::string> KernelTree::entries(std::string_view folder) const
 
 std::optional<std::string> KernelTree::line(std::string_view file) const
 {
-    const auto content = read_file(path(file), largest_file);
+    const auto content = drivers::read_file(path(file), largest_file);
     if (!content || content->empty())
         return std::nullopt;
     return content->substr(0, content->find('\n'));
@@ -108,4 +108,4 @@ Result<void> KernelTree::remove_folder(std::string_view folder)
     return {};
 }
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "drivers/interrupt_holders.hpp"
+#include "board/interrupt_holders.hpp"
 
+#include "board/flat_tree.hpp"
 #include "drivers/atomic_file.hpp"
-#include "drivers/flat_tree.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 namespace
 {
@@ -38,8 +38,8 @@ std::vector<SharedInterrupt> shared_interrupts(TreeBytes value)
 /// Empty where there is none.
 std::string property_of(const KernelTree& tree, const std::string& device, const char* name)
 {
-    return read_file(tree.path(fmt::format("{}/{}/of_node/{}", uio_driver, device, name)),
-                     largest_property)
+    return drivers::read_file(tree.path(fmt::format("{}/{}/of_node/{}", uio_driver, device, name)),
+                              largest_property)
         .value_or("");
 }
 
@@ -72,7 +72,7 @@ std::vector<InterruptHolder> interrupt_holders(const KernelTree& tree,
         if (property_of(tree, device, "linux,uio-name").c_str() == own)
             continue;
         const std::string held = property_of(tree, device, interrupts_property);
-        const auto numbers = shared_interrupts(as_bytes(held));
+        const auto numbers = shared_interrupts(drivers::as_bytes(held));
         const auto wanted = std::ranges::find_first_of(numbers, interrupts);
         if (wanted != numbers.end())
             holders.push_back({.device = device, .interrupt = *wanted});
@@ -97,4 +97,4 @@ Result<void> bind(KernelTree& tree, const InterruptHolder& holder)
     return tell_driver(tree, "bind", holder);
 }
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

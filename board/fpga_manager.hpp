@@ -9,12 +9,12 @@
 #pragma once
 
 #include "base/result.hpp"
-#include "drivers/kernel_tree.hpp"
+#include "board/kernel_tree.hpp"
 
 #include <optional>
 #include <string>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 
 struct FpgaManager
@@ -39,4 +39,4 @@ struct FpgaManager
 [[nodiscard]] Result<void> load_firmware(KernelTree& tree, const FpgaManager& manager,
                                          const std::string& firmware);
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

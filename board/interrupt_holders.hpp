@@ -8,7 +8,7 @@
 #pragma once
 
 #include "base/result.hpp"
-#include "drivers/kernel_tree.hpp"
+#include "board/kernel_tree.hpp"
 
 #include <cstdint>
 #include <span>
@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 
 /// The driver of UIO devices with an interrupt; its folder has a link for each of them.
@@ -47,4 +47,4 @@ interrupt_holders(const KernelTree& tree, std::span<const SharedInterrupt> inter
 /// Gives it back. Errors: Unavailable, InputOutput.
 [[nodiscard]] Result<void> bind(KernelTree& tree, const InterruptHolder& holder);
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "drivers/fpga_manager.hpp"
+#include "board/fpga_manager.hpp"
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 namespace
 {
@@ -66,4 +66,4 @@ Result<void> load_firmware(KernelTree& tree, const FpgaManager& manager,
                                 "'; the kernel's log may say why"));
 }
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

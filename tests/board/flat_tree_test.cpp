@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "drivers/flat_tree.hpp"
+#include "board/flat_tree.hpp"
 
 #include "drivers/atomic_file.hpp"
 #include "tests/fakes/overlay_blob.hpp"
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 namespace
 {
@@ -20,7 +20,7 @@ using Cells = std::vector<std::uint32_t>;
 
 std::vector<Cells> interrupts_of(const std::string& blob)
 {
-    const auto values = values_of(as_bytes(blob), "interrupts", "x.dtbo");
+    const auto values = values_of(drivers::as_bytes(blob), "interrupts", "x.dtbo");
     EXPECT_TRUE(values) << values.error().message;
     std::vector<Cells> found;
     for (const TreeBytes value : values.value_or(std::vector<TreeBytes>{}))
@@ -30,7 +30,7 @@ std::vector<Cells> interrupts_of(const std::string& blob)
 
 void expect_bad(const std::string& blob, const std::string& part)
 {
-    const auto values = values_of(as_bytes(blob), "interrupts", "x.dtbo");
+    const auto values = values_of(drivers::as_bytes(blob), "interrupts", "x.dtbo");
     ASSERT_FALSE(values) << part;
     EXPECT_EQ(values.error().kind, ErrorKind::BadData);
     EXPECT_NE(values.error().message.find(part), std::string::npos) << values.error().message;
@@ -45,12 +45,12 @@ std::string with_cell(std::string blob, std::size_t at, std::uint32_t cell)
 /// The byte at which the header says that a part begins.
 std::size_t begin_of(const std::string& blob, std::size_t header_cell)
 {
-    return cells_of(as_bytes(blob))[header_cell];
+    return cells_of(drivers::as_bytes(blob))[header_cell];
 }
 
 TEST(FlatTree, CellsAreHighByteFirstAndARestIsLeftOut)
 {
-    EXPECT_EQ(cells_of(as_bytes(std::string("\x12\x34\x56\x78\x00\x00\x00\x0A\xFF", 9))),
+    EXPECT_EQ(cells_of(drivers::as_bytes(std::string("\x12\x34\x56\x78\x00\x00\x00\x0A\xFF", 9))),
               (Cells{0x1234'5678, 10}));
     EXPECT_EQ(cells_of({}), Cells{});
 }
@@ -66,8 +66,8 @@ TEST(FlatTree, OnlyTheWholeNameCounts)
 {
     const std::string blob = test::overlay_blob();
     for (const std::string_view name : {"interrupt", "interrupts-extended", "nterrupt", "eg"})
-        EXPECT_TRUE(values_of(as_bytes(blob), name, "x.dtbo").value().empty()) << name;
-    EXPECT_EQ(values_of(as_bytes(blob), "reg", "x.dtbo").value().size(), 1U);
+        EXPECT_TRUE(values_of(drivers::as_bytes(blob), name, "x.dtbo").value().empty()) << name;
+    EXPECT_EQ(values_of(drivers::as_bytes(blob), "reg", "x.dtbo").value().size(), 1U);
 }
 
 TEST(FlatTree, AHeaderThatIsNoneOrLiesIsRefused)
@@ -102,7 +102,7 @@ TEST(FlatTree, AnUnknownTokenOrALengthBehindTheEndIsRefused)
     for (const std::uint32_t token : {0U, 5U, 0x100U, 0xFFFF'FFFFU})
         expect_bad(with_cell(blob, first, token), "garbled before byte");
     const std::size_t length = first + 8 + 12 + 4; // of the first property, in the second node
-    ASSERT_EQ(cells_of(as_bytes(blob).subspan(length)).front(), 4U);
+    ASSERT_EQ(cells_of(drivers::as_bytes(blob).subspan(length)).front(), 4U);
     for (const std::uint32_t wrong : {0x1000U, 0x7FFF'FFFFU, 0xFFFF'FFFCU, 0xFFFF'FFFFU})
         expect_bad(with_cell(blob, length, wrong), "garbled before byte");
 }
@@ -153,4 +153,4 @@ TEST(FlatTree, WhatIsGarbledIsReadWithinItsBytes)
 }
 
 } // namespace
-} // namespace raymarch::drivers
+} // namespace raymarch::board

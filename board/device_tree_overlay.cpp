@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "drivers/device_tree_overlay.hpp"
+#include "board/device_tree_overlay.hpp"
 
-#include "drivers/flat_tree.hpp"
+#include "board/flat_tree.hpp"
 
 #include <fmt/format.h>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 namespace
 {
@@ -76,4 +76,4 @@ Result<void> remove_overlay(KernelTree& tree, const std::string& name)
     return tree.remove_folder(folder_of(name));
 }
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "drivers/board_tree.hpp"
+#include "board/board_tree.hpp"
 
+#include "board/flat_tree.hpp"
 #include "drivers/atomic_file.hpp"
-#include "drivers/flat_tree.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 namespace
 {
@@ -27,10 +27,10 @@ std::optional<std::uint32_t> last_cell(const KernelTree& tree, const std::string
                                        std::size_t cells)
 {
     const std::size_t size = cells * sizeof(std::uint32_t);
-    const auto bytes = read_file(tree.path(property), size);
+    const auto bytes = drivers::read_file(tree.path(property), size);
     if (!bytes || bytes->size() != size)
         return std::nullopt;
-    return cells_of(as_bytes(*bytes)).back();
+    return cells_of(drivers::as_bytes(*bytes)).back();
 }
 
 /// Whether a property, of strings that end with NUL each, has this one in it.
@@ -76,4 +76,4 @@ Result<void> require_logic_clock(const KernelTree& tree)
                             "line has no clk_ignore_unused"));
 }
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 
 /// The tree under `/sys`, or under the folder that plays it. Paths are relative to the root.
@@ -50,4 +50,4 @@ class KernelTree
     std::string root_;
 };
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "drivers/flat_tree.hpp"
+#include "board/flat_tree.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 namespace
 {
@@ -144,4 +144,4 @@ Result<std::vector<TreeBytes>> values_of(TreeBytes blob, std::string_view name,
                     file, header[structure_at] + structure.at())));
 }
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

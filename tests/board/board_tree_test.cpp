@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "drivers/board_tree.hpp"
+#include "board/board_tree.hpp"
 
 #include "tests/fakes/fake_kernel.hpp"
 
 #include <gtest/gtest.h>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 namespace
 {
@@ -84,4 +84,4 @@ TEST_F(BoardTree, ARefusalSaysWhatKeepsTheClock)
 }
 
 } // namespace
-} // namespace raymarch::drivers
+} // namespace raymarch::board

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "drivers/logic_loader.hpp"
+#include "board/logic_loader.hpp"
 
-#include "drivers/device_tree_overlay.hpp"
-#include "drivers/fpga_manager.hpp"
+#include "board/device_tree_overlay.hpp"
+#include "board/fpga_manager.hpp"
 #include "tests/fakes/bitstreams.hpp"
 #include "tests/fakes/fake_kernel.hpp"
 #include "tests/fakes/overlay_blob.hpp"
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 namespace
 {
@@ -308,4 +308,4 @@ TEST(FpgaManager, TheProcessorsOwnComesFirst)
 }
 
 } // namespace
-} // namespace raymarch::drivers
+} // namespace raymarch::board

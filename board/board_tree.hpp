@@ -5,11 +5,11 @@
 #pragma once
 
 #include "base/result.hpp"
-#include "drivers/kernel_tree.hpp"
+#include "board/kernel_tree.hpp"
 
 #include <optional>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 
 /// Whether this machine is one that can have the accelerator: a Zynq-7000.
@@ -24,4 +24,4 @@ namespace raymarch::drivers
 /// Errors: Unavailable, where the clock is known to be stopped.
 [[nodiscard]] Result<void> require_logic_clock(const KernelTree& tree);
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

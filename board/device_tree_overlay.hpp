@@ -8,14 +8,14 @@
 #pragma once
 
 #include "base/result.hpp"
-#include "drivers/kernel_tree.hpp"
+#include "board/kernel_tree.hpp"
 
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 
 inline constexpr const char* overlays_folder = "kernel/config/device-tree/overlays";
@@ -45,4 +45,4 @@ enum class OverlayState : std::uint8_t {
 /// Takes the overlay away, and with it its devices. Errors: InputOutput.
 [[nodiscard]] Result<void> remove_overlay(KernelTree& tree, const std::string& name);
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

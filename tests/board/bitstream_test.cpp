@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "drivers/bitstream.hpp"
+#include "board/bitstream.hpp"
 
+#include "board/configuration_crc.hpp"
 #include "drivers/atomic_file.hpp"
-#include "drivers/configuration_crc.hpp"
 #include "tests/fakes/bitstreams.hpp"
 #include "tests/fakes/random.hpp"
 
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 namespace
 {
@@ -50,7 +50,7 @@ std::string with_part(const std::string& part)
 
 Result<Bitstream> parse(const std::string& bytes)
 {
-    return parse_bitstream(as_bytes(bytes), "FILE");
+    return parse_bitstream(drivers::as_bytes(bytes), "FILE");
 }
 
 /// Whether it would be loaded. The bitstream borrows the bytes.
@@ -444,4 +444,4 @@ TEST(ConfigurationCrc, IsTheSameBitByBit)
 }
 
 } // namespace
-} // namespace raymarch::drivers
+} // namespace raymarch::board

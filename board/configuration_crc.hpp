@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 namespace configuration_crc
 {
@@ -68,4 +68,4 @@ class ConfigurationCrc
     std::uint32_t value_ = 0;
 };
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "drivers/interrupt_holders.hpp"
+#include "board/interrupt_holders.hpp"
 
 #include "drivers/atomic_file.hpp"
 #include "tests/fakes/fake_kernel.hpp"
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 namespace
 {
@@ -21,7 +21,7 @@ using Interrupts = std::vector<SharedInterrupt>;
 
 Interrupts interrupts_in(const test::OverlayInterrupts& devices)
 {
-    return overlay_interrupts(as_bytes(test::overlay_blob(devices)), "x.dtbo").value();
+    return overlay_interrupts(drivers::as_bytes(test::overlay_blob(devices)), "x.dtbo").value();
 }
 
 class Holders : public testing::Test
@@ -90,4 +90,4 @@ TEST_F(Holders, GiveWayAndComeBack)
 }
 
 } // namespace
-} // namespace raymarch::drivers
+} // namespace raymarch::board

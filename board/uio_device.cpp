@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "drivers/uio_device.hpp"
+#include "board/uio_device.hpp"
 
 #include <filesystem>
 #include <limits>
 #include <vector>
 
-namespace raymarch::drivers
+namespace raymarch::board
 {
 namespace
 {
@@ -24,7 +24,7 @@ std::string kernel_name(const std::string& node)
 
 } // namespace
 
-Result<UioDevice> describe_uio(const KernelTree& tree, const std::string& node)
+Result<drivers::UioDevice> describe_uio(const KernelTree& tree, const std::string& node)
 {
     const std::string device = std::string(uio_class) + "/" + kernel_name(node);
     const std::string region = device + "/maps/map0";
@@ -37,14 +37,14 @@ Result<UioDevice> describe_uio(const KernelTree& tree, const std::string& node)
         return fail(plain_error(ErrorKind::Unavailable,
                                 node + ": " + tree.path(region + (wrong ? wrong : "")) +
                                     " does not describe its registers"));
-    return UioDevice{.node = node,
-                     .name = tree.line(device + "/name").value_or(""),
-                     .address = *address,
-                     .size = static_cast<std::size_t>(*size),
-                     .offset = static_cast<std::size_t>(*offset)};
+    return drivers::UioDevice{.node = node,
+                              .name = tree.line(device + "/name").value_or(""),
+                              .address = *address,
+                              .size = static_cast<std::size_t>(*size),
+                              .offset = static_cast<std::size_t>(*offset)};
 }
 
-Result<UioDevice> find_uio(const KernelTree& tree, const std::string& name)
+Result<drivers::UioDevice> find_uio(const KernelTree& tree, const std::string& name)
 {
     std::vector<std::string> found;
     for (const std::string& device : tree.entries(uio_class))
@@ -59,4 +59,4 @@ Result<UioDevice> find_uio(const KernelTree& tree, const std::string& name)
                             std::to_string(found.size()) + " UIO devices are named " + name));
 }
 
-} // namespace raymarch::drivers
+} // namespace raymarch::board
