@@ -77,8 +77,10 @@ row "./dev test"
 step "./dev test again" inside 'cd /srv/raymarchd && ./dev test'
 row "./dev test, nothing changed"
 # A user without sudo, in a clone of his own: the packages are there.
-inside 'useradd -m -s /bin/sh student'
-step "./dev demo, as a user" as_user 'git clone -q /srv/raymarchd && cd raymarchd && ./dev demo'
+inside 'useradd -m -s /bin/sh student
+    git clone -q /srv/raymarchd /home/student/raymarchd # git refuses a user what belongs to root
+    chown -R student: /home/student/raymarchd'
+step "./dev demo, as a user" as_user 'cd raymarchd && ./dev demo'
 row "./dev demo, as a user"
 step "./dev test, as a user" as_user 'cd raymarchd && ./dev test'
 row "./dev test, as a user"
