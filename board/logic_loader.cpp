@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <utility>
 
 namespace raymarch::board
 {
@@ -82,6 +83,39 @@ Result<void> require_features(const KernelTree& tree)
                                         fmt::join(missing, "; "))));
 }
 
+Result<void> require_absent_overlay(const KernelTree& tree)
+{
+    const OverlayState state = overlay_state(tree, overlay_name);
+    if (state == OverlayState::Absent)
+        return {};
+    return fail(plain_error(ErrorKind::Unavailable,
+                            fmt::format("the overlay {} is there already ({}): unload it first",
+                                        overlay_name, to_text(state))));
+}
+
+/// What both files hold; borrows their bytes.
+struct CheckedFiles
+{
+    Bitstream bitstream;
+    std::vector<SharedInterrupt> interrupts; ///< of the overlay
+};
+
+Result<CheckedFiles> check_files(const LogicFiles& files, const LogicDevice& device)
+{
+    auto bitstream = parse_bitstream(drivers::as_bytes(files.bitstream), files.bitstream_name);
+    if (!bitstream)
+        return fail(bitstream.error());
+    if (auto fits = check_bitstream(*bitstream, device, files.bitstream_name); !fits)
+        return fail(fits.error());
+    const auto overlay = drivers::as_bytes(files.overlay);
+    if (auto whole = check_overlay(overlay, files.overlay_name); !whole)
+        return fail(whole.error());
+    auto interrupts = overlay_interrupts(overlay, files.overlay_name);
+    if (!interrupts)
+        return fail(interrupts.error());
+    return CheckedFiles{std::move(*bitstream), std::move(*interrupts)};
+}
+
 } // namespace
 
 std::vector<std::string> missing_features(const KernelTree& tree)
@@ -110,29 +144,17 @@ std::vector<std::string> missing_features(const KernelTree& tree)
 Result<std::vector<InterruptHolder>> load_logic(KernelTree& tree, const LogicFiles& files,
                                                 const LogicDevice& device)
 {
-    const auto bitstream =
-        parse_bitstream(drivers::as_bytes(files.bitstream), files.bitstream_name);
-    if (!bitstream)
-        return fail(bitstream.error());
-    if (auto fits = check_bitstream(*bitstream, device, files.bitstream_name); !fits)
-        return fail(fits.error());
-    if (auto whole = check_overlay(drivers::as_bytes(files.overlay), files.overlay_name); !whole)
-        return fail(whole.error());
-    const auto interrupts =
-        overlay_interrupts(drivers::as_bytes(files.overlay), files.overlay_name);
-    if (!interrupts)
-        return fail(interrupts.error());
+    const auto logic = check_files(files, device);
+    if (!logic)
+        return fail(logic.error());
     if (auto able = require_features(tree); !able)
         return fail(able.error());
-    if (overlay_state(tree, overlay_name) != OverlayState::Absent)
-        return fail(
-            plain_error(ErrorKind::Unavailable,
-                        fmt::format("the overlay {} is there already ({}): unload it first",
-                                    overlay_name, to_text(overlay_state(tree, overlay_name)))));
+    if (auto absent = require_absent_overlay(tree); !absent)
+        return fail(absent.error());
     Undo undo;
-    if (auto installed = install(tree, bin_of(*bitstream), undo); !installed)
+    if (auto installed = install(tree, bin_of(logic->bitstream), undo); !installed)
         return fail(installed.error());
-    auto unbound = unbind_holders(tree, *interrupts, undo); // before its logic is gone
+    auto unbound = unbind_holders(tree, logic->interrupts, undo); // before its logic is gone
     if (!unbound)
         return unbound;
     const auto manager = find_fpga_manager(tree);

@@ -2,6 +2,7 @@
 /// @file
 /// The hosts of the service: the serial port and the clients of the control socket, opened as the
 /// configuration names them and looked for again when they are missing or go away.
+/// (clients.cpp has the control socket and its clients.)
 #pragma once
 
 #include "daemon/config.hpp"
