@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// TABLE: the extended registers. Also converts parameters to register words and back.
+/// TABLE: the extended registers and their fields. Also converts parameters to register words and
+/// back.
 #pragma once
 
 #include "protocol/parameters.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -39,57 +41,105 @@ struct RegisterRow
     std::string_view meaning;
 };
 
-// Laid out by hand: one row a register.
+/// Bits [msb:lsb] of an extended register.
+struct RegisterField
+{
+    Register at;
+    std::string_view name;
+    std::uint8_t msb;
+    std::uint8_t lsb;
+    std::string_view access; ///< ro, rw; w1c: a write of 1 clears it; w1s: it clears itself
+    std::string_view reset;  ///< a number, or `fixed`: the logic says what it is
+    std::string_view meaning;
+};
+
+// Laid out by hand: one row a register, and one a field.
 // clang-format off
 inline constexpr std::array extended_registers = {
     RegisterRow{Register::Id,         "ID",         "ro", "0x524D4152 (\"RMAR\"); anything else means that words from 8 on are not there"},
-    RegisterRow{Register::Version,    "VERSION",    "ro", "major[31:16] minor[15:0]"},
-    RegisterRow{Register::Capability, "CAPABILITY", "ro", "accelerator kind[31:24], ray units[23:16], rest 0"},
-    RegisterRow{Register::Geometry,   "GEOMETRY",   "ro", "width[31:16] height[15:0] in pixels"},
-    RegisterRow{Register::Control,    "CONTROL",    "rw", "bit0 enable, bit1 interrupt enable, bit2 shadow mode (parameter writes take effect at COMMIT), bit3 soft reset (clears itself)"},
+    RegisterRow{Register::Version,    "VERSION",    "ro", "version of the register block"},
+    RegisterRow{Register::Capability, "CAPABILITY", "ro", "what accelerator this is"},
+    RegisterRow{Register::Geometry,   "GEOMETRY",   "ro", "size of a picture"},
+    RegisterRow{Register::Control,    "CONTROL",    "rw", "what the block does"},
     RegisterRow{Register::Commit,     "COMMIT",     "wo", "any value: the parameter words are latched at the next frame start"},
-    RegisterRow{Register::Status,     "STATUS",     "rw", "bit0 busy, bit1 commit pending, bit2 frame done (write 1 to clear; drops the interrupt), bit3 fault"},
+    RegisterRow{Register::Status,     "STATUS",     "rw", "how the block stands"},
     RegisterRow{Register::Frames,     "FRAMES",     "ro", "frames finished since reset"},
     RegisterRow{Register::Cycles,     "CYCLES",     "ro", "clock cycles of the last frame"},
     RegisterRow{Register::ClockHz,    "CLOCK_HZ",   "ro", "clock of the ray units in Hz"},
     RegisterRow{Register::Scratch,    "SCRATCH",    "rw", "free, for the self-test at start"},
 };
+
+inline constexpr std::array register_fields = {
+    RegisterField{Register::Version,    "MAJOR",            31, 16, "ro",  "1",     "changes when a program that knows an older version must not write"},
+    RegisterField{Register::Version,    "MINOR",            15, 0,  "ro",  "0",     "changes when registers or fields are added"},
+    RegisterField{Register::Capability, "KIND",             31, 24, "ro",  "fixed", "accelerator: its position in the list of parameter words on this page, from 0"},
+    RegisterField{Register::Capability, "RAY_UNITS",        23, 16, "ro",  "fixed", "number of ray units"},
+    RegisterField{Register::Geometry,   "WIDTH",            31, 16, "ro",  "fixed", "pixels of a row"},
+    RegisterField{Register::Geometry,   "HEIGHT",           15, 0,  "ro",  "fixed", "rows of a picture"},
+    RegisterField{Register::Control,    "ENABLE",           0,  0,  "rw",  "0",     "the block draws"},
+    RegisterField{Register::Control,    "INTERRUPT_ENABLE", 1,  1,  "rw",  "0",     "the interrupt line follows STATUS.FRAME_DONE"},
+    RegisterField{Register::Control,    "SHADOW",           2,  2,  "rw",  "0",     "parameter words that are written take effect at COMMIT"},
+    RegisterField{Register::Control,    "SOFT_RESET",       3,  3,  "w1s", "0",     "a write of 1 resets the block; a frame that is being drawn is finished"},
+    RegisterField{Register::Status,     "BUSY",             0,  0,  "ro",  "0",     "a frame is being drawn"},
+    RegisterField{Register::Status,     "COMMIT_PENDING",   1,  1,  "ro",  "0",     "COMMIT was written, and the next frame has not started"},
+    RegisterField{Register::Status,     "FRAME_DONE",       2,  2,  "w1c", "0",     "a frame was finished; cleared, it lowers the interrupt line"},
+    RegisterField{Register::Status,     "FAULT",            3,  3,  "ro",  "0",     "the logic has found a fault in itself"},
+};
 // clang-format on
 
+/// The row of the field `name` of the register `at`. A name that no row has does not compile.
+[[nodiscard]] consteval const RegisterField& register_field(Register at, std::string_view name)
+{
+    const auto* const row = std::ranges::find_if(register_fields, [&](const RegisterField& field) {
+        return field.at == at && field.name == name;
+    });
+    return row != register_fields.end() ? *row : throw "no such field";
+}
+/// The mask of a field, where it stands in its register.
+[[nodiscard]] consteval std::uint32_t field_mask(Register at, std::string_view name)
+{
+    const RegisterField& field = register_field(at, name);
+    return (UINT32_MAX >> (31 - field.msb + field.lsb)) << field.lsb;
+}
+
 inline constexpr std::uint32_t id_value = 0x524D4152;
-inline constexpr std::uint32_t version_value = 0x0001'0000;
+inline constexpr std::uint32_t version_value = 1U << register_field(Register::Version, "MAJOR").lsb;
 
 namespace control
 {
-inline constexpr std::uint32_t enable = 1U << 0;
-inline constexpr std::uint32_t interrupt_enable = 1U << 1;
-inline constexpr std::uint32_t shadow = 1U << 2;
-inline constexpr std::uint32_t soft_reset = 1U << 3;
+inline constexpr std::uint32_t enable = field_mask(Register::Control, "ENABLE");
+inline constexpr std::uint32_t interrupt_enable = field_mask(Register::Control, "INTERRUPT_ENABLE");
+inline constexpr std::uint32_t shadow = field_mask(Register::Control, "SHADOW");
+inline constexpr std::uint32_t soft_reset = field_mask(Register::Control, "SOFT_RESET");
 } // namespace control
 
 namespace status
 {
-inline constexpr std::uint32_t busy = 1U << 0;
-inline constexpr std::uint32_t commit_pending = 1U << 1;
-inline constexpr std::uint32_t frame_done = 1U << 2;
-inline constexpr std::uint32_t fault = 1U << 3;
+inline constexpr std::uint32_t busy = field_mask(Register::Status, "BUSY");
+inline constexpr std::uint32_t commit_pending = field_mask(Register::Status, "COMMIT_PENDING");
+inline constexpr std::uint32_t frame_done = field_mask(Register::Status, "FRAME_DONE");
+inline constexpr std::uint32_t fault = field_mask(Register::Status, "FAULT");
 } // namespace status
 
 [[nodiscard]] constexpr std::uint32_t capability_word(const Accelerator& accelerator) noexcept
 {
-    return std::uint32_t{accelerator.kind} << 24 | std::uint32_t{accelerator.ray_units} << 16;
+    return std::uint32_t{accelerator.kind} << register_field(Register::Capability, "KIND").lsb |
+           std::uint32_t{accelerator.ray_units}
+               << register_field(Register::Capability, "RAY_UNITS").lsb;
 }
 [[nodiscard]] constexpr std::uint8_t capability_kind(std::uint32_t word) noexcept
 {
-    return static_cast<std::uint8_t>(word >> 24);
+    return static_cast<std::uint8_t>(word >> register_field(Register::Capability, "KIND").lsb);
 }
 [[nodiscard]] constexpr std::uint32_t geometry_word(PictureSize size) noexcept
 {
-    return std::uint32_t{size.width} << 16 | size.height;
+    return std::uint32_t{size.width} << register_field(Register::Geometry, "WIDTH").lsb |
+           std::uint32_t{size.height} << register_field(Register::Geometry, "HEIGHT").lsb;
 }
 [[nodiscard]] constexpr PictureSize geometry_size(std::uint32_t word) noexcept
 {
-    return {static_cast<std::uint16_t>(word >> 16), static_cast<std::uint16_t>(word)};
+    return {static_cast<std::uint16_t>(word >> register_field(Register::Geometry, "WIDTH").lsb),
+            static_cast<std::uint16_t>(word >> register_field(Register::Geometry, "HEIGHT").lsb)};
 }
 
 /// Packs `state` into words. Bits that belong to no parameter are 0.

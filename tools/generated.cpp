@@ -49,6 +49,11 @@ std::vector<Field> fields_of_word(const Accelerator& accelerator, std::size_t wo
     return fields;
 }
 
+std::string_view name_of(Register at)
+{
+    return std::ranges::find(extended_registers, at, &RegisterRow::at)->name;
+}
+
 std::string format_name(const Format& format)
 {
     const std::string_view sign = format.is_signed ? "signed" : "unsigned";
@@ -158,6 +163,17 @@ std::string registers_page()
     for (const RegisterRow& row : extended_registers)
         page += fmt::format("| {} | 0x{:02X} | {} | {} | {} |\n", static_cast<unsigned>(row.at) / 4,
                             static_cast<unsigned>(row.at), row.name, row.access, cell(row.meaning));
+    page +=
+        "\nTheir fields; bits that no field has read as 0, and writes to them change nothing. "
+        "Access w1c: a write\n"
+        "of 1 clears the field; w1s: it clears itself. Reset `fixed`: the logic says what it "
+        "is.\n\n"
+        "| register | bits | field | access | reset | |\n| --- | --- | --- | --- | --- | --- |\n";
+    for (const RegisterField& field : register_fields)
+        page += fmt::format("| {} | {} | {} | {} | {} | {} |\n", name_of(field.at),
+                            field.msb == field.lsb ? fmt::format("{}", field.lsb)
+                                                   : fmt::format("{}:{}", field.msb, field.lsb),
+                            field.name, field.access, field.reset, cell(field.meaning));
     page += "\nIn shadow mode the parameter words can be written at any time; they reach the ray "
             "units\n"
             "together, at the first frame start after a write to COMMIT. While STATUS says that a "
@@ -165,7 +181,7 @@ std::string registers_page()
             "pending the service writes no parameter word, as the frame start could fall between "
             "two of\n"
             "them: the newest state waits.\n\n"
-            "The interrupt is level: high while STATUS.frame done and CONTROL.interrupt enable are "
+            "The interrupt is level: high while STATUS.FRAME_DONE and CONTROL.INTERRUPT_ENABLE are "
             "set.\n"
             "Through UIO, a read of 4 bytes gives the count, a write of the 32-bit number 1 "
             "unmasks it again.\n";
@@ -268,14 +284,28 @@ std::string actions_manual()
 
 std::string systemverilog_package()
 {
-    std::string text = "// SPDX-License-Identifier: MIT\n"
-                       "// Made by dump_tables from protocol/; ./dev docs writes it again.\n"
-                       "package raymarch_registers_pkg;\n\n"
-                       "  // Byte offsets of the extended registers\n";
+    std::string text =
+        "// SPDX-License-Identifier: MIT\n"
+        "// Made by dump_tables from protocol/; ./dev docs writes it again.\n"
+        "//\n"
+        "// A function NAME_KEY gives the code of a parameter. Its argument is all\n"
+        "// parameter words of NAME as one vector, with word 0 in bits 31:0. Yosys 0.23\n"
+        "// and Verilator 5.006 read this file: they take neither an unpacked argument\n"
+        "// nor `return`.\n"
+        "package raymarch_registers_pkg;\n"
+        "  /* verilator lint_off UNUSEDPARAM */\n"
+        "  /* verilator lint_off UNUSEDSIGNAL */\n\n"
+        "  // Byte offsets of the extended registers\n";
     for (const RegisterRow& row : extended_registers)
         text += fmt::format("  localparam logic [11:0] {}_OFFSET = 12'h{:03X};\n", row.name,
                             static_cast<unsigned>(row.at));
-    text += fmt::format("  localparam logic [31:0] ID_VALUE = 32'h{:08X};\n", id_value);
+    text += fmt::format("  localparam logic [31:0] ID_VALUE = 32'h{:08X};\n\n"
+                        "  // The highest and the lowest bit of each of their fields\n",
+                        id_value);
+    for (const RegisterField& field : register_fields)
+        text += fmt::format(
+            "  localparam int {0}_{1}_MSB = {2};\n  localparam int {0}_{1}_LSB = {3};\n",
+            name_of(field.at), field.name, field.msb, field.lsb);
     for (const Accelerator* accelerator : accelerators) {
         const std::string prefix = upper(accelerator->name);
         text += fmt::format("\n  // {}: {}\n", accelerator->name, accelerator->summary);
@@ -288,15 +318,16 @@ std::string systemverilog_package()
             std::string slices;
             for (std::size_t part = i; part <= i + (parameter.tail_bits > 0 ? 1 : 0); ++part)
                 for (const Slice& slice : accelerator->parameters[part].placement())
-                    slices += fmt::format("{}words[{}][{}:{}]", slices.empty() ? "" : ", ",
-                                          slice.word, slice.msb, slice.lsb);
+                    slices += fmt::format("{}words[{}:{}]", slices.empty() ? "" : ", ",
+                                          32 * slice.word + slice.msb, 32 * slice.word + slice.lsb);
             std::string name(parameter.key);
             std::ranges::replace(name, '.', '_');
-            text += fmt::format(
-                "  function automatic logic {}[{}:0] {}_{}(input logic [31:0] words[{}_WORDS]);\n"
-                "    return {{{}}};\n  endfunction\n",
-                parameter.format.is_signed ? "signed " : "", parameter.format.width() - 1,
-                accelerator->name, name, prefix, slices);
+            text +=
+                fmt::format("  function automatic logic {0}[{1}:0] {2}_{3}(input logic "
+                            "[32*{4}_WORDS-1:0] words);\n"
+                            "    {2}_{3} = {{{5}}};\n  endfunction\n",
+                            parameter.format.is_signed ? "signed " : "",
+                            parameter.format.width() - 1, accelerator->name, name, prefix, slices);
         }
     }
     return text + "\nendpackage\n";

@@ -202,6 +202,39 @@ TEST(Registers, TheExtendedOnesStandBehindTheWords)
     EXPECT_LE(static_cast<std::size_t>(offset), register_page_bytes);
 }
 
+/// The contract once more by hand.
+TEST(Registers, FieldsHaveTheBitsOfTheContract)
+{
+    EXPECT_EQ(control::enable, 0x1U);
+    EXPECT_EQ(control::interrupt_enable, 0x2U);
+    EXPECT_EQ(control::shadow, 0x4U);
+    EXPECT_EQ(control::soft_reset, 0x8U);
+    EXPECT_EQ(status::busy, 0x1U);
+    EXPECT_EQ(status::commit_pending, 0x2U);
+    EXPECT_EQ(status::frame_done, 0x4U);
+    EXPECT_EQ(status::fault, 0x8U);
+    EXPECT_EQ(version_value, 0x0001'0000U);
+    EXPECT_EQ(field_mask(Register::Capability, "KIND"), 0xFF00'0000U);
+    EXPECT_EQ(field_mask(Register::Geometry, "HEIGHT"), 0x0000'FFFFU);
+}
+
+TEST(Registers, FieldsOfARegisterShareNoBit)
+{
+    for (const RegisterRow& row : extended_registers) {
+        std::uint64_t used = 0;
+        for (const RegisterField& field : register_fields) {
+            if (field.at != row.at)
+                continue;
+            ASSERT_LE(field.lsb, field.msb) << field.name;
+            ASSERT_LT(field.msb, 32) << field.name;
+            const std::uint64_t mask = ((std::uint64_t{2} << (field.msb - field.lsb)) - 1)
+                                       << field.lsb;
+            EXPECT_EQ(used & mask, 0U) << row.name << '.' << field.name;
+            used |= mask;
+        }
+    }
+}
+
 TEST(Registers, WordsThatDescribeTheBlock)
 {
     EXPECT_EQ(id_value, 0x524D'4152U);                     // "RMAR"
