@@ -93,7 +93,7 @@ Result<void> require_absent_overlay(const KernelTree& tree)
                                         overlay_name, to_text(state))));
 }
 
-/// What both files hold; borrows their bytes.
+/// The content of both files. The bitstream points into the bytes of its file.
 struct CheckedFiles
 {
     Bitstream bitstream;

@@ -7,6 +7,16 @@
 namespace raymarch::cli
 {
 
+void add_picture_output_option(CLI::App& command, std::string& path)
+{
+    command
+        .add_option("-o,--output", path,
+                    "file for the picture; the ending of its name is png, jpg, ppm or tga; - is "
+                    "ppm on standard output")
+        ->type_name("FILE")
+        ->required();
+}
+
 Result<void> check_picture_output(const std::string& path)
 {
     if (const auto format = pictures::format_of(path); !format)

@@ -6,10 +6,15 @@
 #include "base/result.hpp"
 #include "engine/image.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <string>
 
 namespace raymarch::cli
 {
+
+/// Adds --output, which is required. `path` lives as long as `command`.
+void add_picture_output_option(CLI::App& command, std::string& path);
 
 /// To be called before the work, not after it. Errors: those of pictures::format_of and
 /// drivers::check_output.

@@ -174,12 +174,7 @@ void add_receive(CLI::App& app, Run& run)
     where->add_option("--pcap", options->capture, "capture file to read; - is standard input")
         ->type_name("FILE");
     where->require_option(1);
-    command
-        ->add_option("-o,--output", options->output,
-                     "file for the picture; the ending of its name is png, jpg, ppm or tga; - is "
-                     "ppm on standard output")
-        ->type_name("FILE")
-        ->required();
+    add_picture_output_option(*command, options->output);
     command
         ->add_option("--timeout", options->seconds,
                      "longest time to wait for the whole picture, in seconds (default: 5)")

@@ -97,12 +97,7 @@ void add_render(CLI::App& app, Run& run)
                      "part of the picture to draw: its size, the number of columns left of it, the "
                      "number of rows above it")
         ->type_name("WxH+X+Y");
-    command
-        ->add_option("-o,--output", options->output,
-                     "file for the picture; the ending of its name is png, jpg, ppm or tga; - is "
-                     "ppm on standard output")
-        ->type_name("FILE")
-        ->required();
+    add_picture_output_option(*command, options->output);
     command->callback([options, &run] {
         run = [options] {
             const auto result = render(*options);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What the command lines of raymarchd and raymarchctl have in common, over CLI11.
+/// Sets up CLI11 in the same way for raymarchd and raymarchctl.
 #pragma once
 
 #include <CLI/CLI.hpp>

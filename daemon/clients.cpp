@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The control socket and its clients, of the hosts.
+/// The part of Hosts that serves the control socket and its clients.
 #include "base/log.hpp"
 #include "daemon/hosts.hpp"
 

@@ -37,7 +37,8 @@ std::optional<std::string> as_text(const toml::node& node)
     return std::nullopt;
 }
 
-/// What a value is that no setting takes, for a message; nullptr where settings may take it.
+/// Names the type of a value that no setting takes, for a message. It is nullptr for the types that
+/// settings take.
 const char* unfit(const toml::node& node) noexcept
 {
     switch (node.type()) {
@@ -60,7 +61,7 @@ const char* unfit(const toml::node& node) noexcept
     return nullptr;
 }
 
-/// One entry at the top of the file whose value is not for a setting.
+/// Makes the error for an entry outside of any table whose value no setting takes.
 Result<void> refuse_value(std::string_view name, const toml::node& node)
 {
     const bool known = std::ranges::find(settings(), name, &Setting::name) != settings().end();
@@ -79,7 +80,7 @@ Result<void> refuse_value(std::string_view name, const toml::node& node)
                                 lines_table)));
 }
 
-/// One entry of the table of lines whose value is not for a line.
+/// Makes the error for an entry of the table of lines whose value is not the name of a line.
 Result<void> refuse_line(std::string_view action, const toml::node& node)
 {
     Config unused;
@@ -93,8 +94,7 @@ Result<void> refuse_line(std::string_view action, const toml::node& node)
 using Apply = Result<void> (*)(Config&, std::string_view, std::string_view);
 using Refuse = Result<void> (*)(std::string_view, const toml::node&);
 
-/// One `key = value` of the file, given to `apply`, or to `refuse` where no setting takes such a
-/// value.
+/// Gives one `key = value` of the file to `apply`, or to `refuse` if no setting takes such a value.
 Result<void> read_entry(const toml::key& key, const toml::node& node, const std::string& path,
                         Config& config, Apply apply, Refuse refuse)
 {

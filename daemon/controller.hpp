@@ -136,7 +136,7 @@ class Controller
 
   private:
     using Outcome = std::optional<protocol::Fault>;
-    /// What a command works on besides the present state.
+    /// The arguments of a command, and the session that it came from.
     struct Call
     {
         protocol::Text words; ///< behind the command's own

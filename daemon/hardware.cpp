@@ -282,7 +282,7 @@ Applied Hardware::apply(const protocol::Words& words)
 /// What follows from the outcome of an update, asked for just now or brought later.
 void Hardware::settle(Applied applied)
 {
-    // What was written was read back, and the block was there then.
+    // An update that was written has been read back already, and the block was there then.
     if (applied != Applied::Written && bus_ && bus_->lost()) {
         close();
         return;

@@ -67,8 +67,8 @@ class Hardware final : public Board
   private:
     [[nodiscard]] Result<void> open();
     [[nodiscard]] Result<void> probe();
-    /// Of the outcome of open(): when the block is not there it will be looked for again, and the
-    /// result is false.
+    /// Takes the result of open(). If the block is not there, it is looked for again later, and the
+    /// return value is false.
     bool found(const Result<void>& opened);
     void try_to_open();
     void drop_bus();

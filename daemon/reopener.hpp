@@ -17,7 +17,7 @@
 namespace raymarch::daemon
 {
 
-/// What the log says behind a problem.
+/// The usual end of the log line of a problem.
 inline constexpr std::string_view tried_again = "it will be tried again";
 
 class Reopener
@@ -50,7 +50,7 @@ class Reopener
     /// There is a reason to look now, and often again.
     void look_anew();
 
-    /// How long look_later() waits, or waited last.
+    /// The time that look_later() waits, or waited the last time.
     [[nodiscard]] std::chrono::milliseconds wait() const noexcept { return wait_; }
 
   private:

@@ -59,7 +59,7 @@ std::size_t plain_key(const Accelerator& accelerator, std::string_view bytes,
     if (guess < table.size() && begins_with_key(bytes, table[guess].key))
         return guess;
     std::size_t length = 0;
-    while (length < bytes.size() && bytes[length] > '=') // so are letters
+    while (length < bytes.size() && bytes[length] != '=' && bytes[length] != ',')
         ++length;
     const auto found = accelerator.keys.find(table, bytes.substr(0, length));
     return found && begins_with_key(bytes, table[*found].key) ? *found : table.size();
@@ -162,7 +162,8 @@ bool basis_is_orthonormal(const Accelerator& accelerator, const State& state) no
     if (!accelerator.camera)
         return true;
     const OrbitCamera& camera = *accelerator.camera;
-    // A direction's code has fewer than 32 bits: the board multiplies such by one instruction.
+    // The code of a direction has at most 32 bits. The board multiplies two of them by one
+    // instruction.
     const auto code = [&](ParameterIndex i) { return static_cast<std::int32_t>(state.codes[i]); };
     const auto dot = [&](const auto& a, const auto& b) {
         std::int64_t sum = 0;

@@ -48,7 +48,7 @@ struct RegisterField
     std::string_view name;
     std::uint8_t msb;
     std::uint8_t lsb;
-    std::string_view access; ///< ro, rw; w1c: a write of 1 clears it; w1s: it clears itself
+    std::string_view access; ///< ro, rw; w1c: a write of 1 clears it; sc: it clears itself
     std::string_view reset;  ///< a number, or `fixed`: the logic says what it is
     std::string_view meaning;
 };
@@ -70,8 +70,8 @@ inline constexpr std::array extended_registers = {
 };
 
 inline constexpr std::array register_fields = {
-    RegisterField{Register::Version,    "MAJOR",            31, 16, "ro",  "1",     "changes when a program that knows an older version must not write"},
-    RegisterField{Register::Version,    "MINOR",            15, 0,  "ro",  "0",     "changes when registers or fields are added"},
+    RegisterField{Register::Version,    "MAJOR",            31, 16, "ro",  "1",     "major version"},
+    RegisterField{Register::Version,    "MINOR",            15, 0,  "ro",  "0",     "minor version"},
     RegisterField{Register::Capability, "KIND",             31, 24, "ro",  "fixed", "accelerator: its position in the list of parameter words on this page, from 0"},
     RegisterField{Register::Capability, "RAY_UNITS",        23, 16, "ro",  "fixed", "number of ray units"},
     RegisterField{Register::Geometry,   "WIDTH",            31, 16, "ro",  "fixed", "pixels of a row"},
@@ -79,11 +79,11 @@ inline constexpr std::array register_fields = {
     RegisterField{Register::Control,    "ENABLE",           0,  0,  "rw",  "0",     "the block draws"},
     RegisterField{Register::Control,    "INTERRUPT_ENABLE", 1,  1,  "rw",  "0",     "the interrupt line follows STATUS.FRAME_DONE"},
     RegisterField{Register::Control,    "SHADOW",           2,  2,  "rw",  "0",     "parameter words that are written take effect at COMMIT"},
-    RegisterField{Register::Control,    "SOFT_RESET",       3,  3,  "w1s", "0",     "a write of 1 resets the block; a frame that is being drawn is finished"},
+    RegisterField{Register::Control,    "SOFT_RESET",       3,  3,  "sc",  "0",     "a write of 1 resets the block; a frame that is being drawn is finished"},
     RegisterField{Register::Status,     "BUSY",             0,  0,  "ro",  "0",     "a frame is being drawn"},
     RegisterField{Register::Status,     "COMMIT_PENDING",   1,  1,  "ro",  "0",     "COMMIT was written, and the next frame has not started"},
     RegisterField{Register::Status,     "FRAME_DONE",       2,  2,  "w1c", "0",     "a frame was finished; cleared, it lowers the interrupt line"},
-    RegisterField{Register::Status,     "FAULT",            3,  3,  "ro",  "0",     "the logic has found a fault in itself"},
+    RegisterField{Register::Status,     "FAULT",            3,  3,  "ro",  "0",     "the logic reports a fault"},
 };
 // clang-format on
 

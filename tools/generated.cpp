@@ -166,7 +166,7 @@ std::string registers_page()
     page +=
         "\nTheir fields; bits that no field has read as 0, and writes to them change nothing. "
         "Access w1c: a write\n"
-        "of 1 clears the field; w1s: it clears itself. Reset `fixed`: the logic says what it "
+        "of 1 clears the field; sc: it clears itself. Reset `fixed`: the logic says what it "
         "is.\n\n"
         "| register | bits | field | access | reset | |\n| --- | --- | --- | --- | --- | --- |\n";
     for (const RegisterField& field : register_fields)

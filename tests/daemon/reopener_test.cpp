@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What is looked for again, with a clock that the test sets; the loop is real where it is to look.
+/// Tests of Reopener. The test sets the clock; where the Reopener is to look, the loop is real.
 #include "daemon/reopener.hpp"
 
 #include <gtest/gtest.h>

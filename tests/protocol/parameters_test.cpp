@@ -67,6 +67,12 @@ TEST_P(Parameters, TheDescriptionHoldsTogether)
     EXPECT_EQ(accelerators[accelerator.kind], &accelerator) << "kinds count from 0";
     EXPECT_EQ(find_accelerator(accelerator.name), &accelerator);
     EXPECT_EQ(position_of(accelerator), accelerator.kind);
+    if (accelerator.camera) { // basis_is_orthonormal() multiplies codes of at most 32 bits
+        for (const auto& direction :
+             {accelerator.camera->forward, accelerator.camera->right, accelerator.camera->up})
+            for (const ParameterIndex i : direction)
+                EXPECT_LE(table[i].code_width(), 32) << table[i].key;
+    }
     EXPECT_LE(accelerator.size.width, accelerator.max_size.width);
     EXPECT_LE(accelerator.size.height, accelerator.max_size.height);
     EXPECT_GT(accelerator.clock_hz, 0U);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What the tables of cycle_tables are made from: views by name, drawn and counted.
+/// Draws views by name and counts their cycles, for the tables of cycle_tables.
 #pragma once
 
 #include "cli/frame_counts.hpp"
