@@ -61,7 +61,8 @@ def in_memory(processor: Processor, command: list[str], frames: int,
     found = []
     for count in (frames, 2 * frames):
         runs = [processor.run([*command, str(count)]) for _ in range(2)]
-        if runs[0] != runs[1]:
+        # Names of temporary files and times are other ones in each run: that is a few instructions.
+        if abs(runs[0][0] - runs[1][0]) > count / 10 or runs[0][1] != runs[1][1]:
             sys.exit(f"board: two runs of {count} frames differ, {runs[0][0]} and {runs[1][0]} "
                      f"instructions: {command}")
         instructions, printed = runs[0]
