@@ -79,7 +79,7 @@ void Turns::run(Turn& turn)
         used_ = std::max(used_, turn.used_);
     last_ = &turn;
     running_ = &turn;
-    const bool more = turn.take_([end = Clock::now() + length] { return Clock::now() >= end; });
+    const bool more = turn.take_([end = Clock::now() + length_] { return Clock::now() >= end; });
     if (std::exchange(running_, nullptr) == nullptr)
         return;
     turn.used_ += processor_time() - processor_before;

@@ -52,9 +52,12 @@ class Turns
 {
   public:
     /// A turn ends at the first line or step of a movement that is done after this time.
-    static constexpr std::chrono::milliseconds length{2};
+    static constexpr std::chrono::milliseconds usual_length{2};
 
-    explicit Turns(EventLoop& loop) : loop_(loop) {}
+    explicit Turns(EventLoop& loop, std::chrono::nanoseconds length = usual_length)
+        : loop_(loop)
+        , length_(length)
+    {}
     Turns(const Turns&) = delete;
     Turns& operator=(const Turns&) = delete;
     ~Turns() = default;
@@ -67,6 +70,7 @@ class Turns
     void run_soon();
 
     EventLoop& loop_;
+    const std::chrono::nanoseconds length_;
     std::vector<Turn*> waiting_;
     Turn* running_ = nullptr;         ///< null also when it has been destroyed in its turn
     const Turn* last_ = nullptr;      ///< compared, never followed

@@ -65,7 +65,8 @@ class EndpointTest : public testing::Test
 
     test::Service service;
     EventLoop loop = EventLoop::open().value();
-    Turns turns{loop};
+    /// A test's steps are one turn each, on a busy machine too.
+    Turns turns{loop, std::chrono::hours{1}};
     ScriptedPort::Script port;
     int gone = 0;
     Endpoint endpoint{loop,
