@@ -166,6 +166,7 @@ TEST(Retries, ASerialDeviceInUseIsLookedFor)
     const Service second(folder, options);
     ASSERT_TRUE(second.says("in use by process " + std::to_string(first.process.pid()) + " ("))
         << second.process.errors();
+    ASSERT_TRUE(second.ready()); // it says so before it listens
     EXPECT_EQ(second.status("serial"), "down");
     first.process.signal(SIGTERM);
     ASSERT_EQ(first.process.wait(), 0);
