@@ -34,6 +34,40 @@ void add_groups(const protocol::Accelerator& active, std::vector<std::string>& w
             words.emplace_back(parameter.group);
 }
 
+/// Adds the words that an argument may be.
+void add_values(const protocol::Accelerator& active, const protocol::ArgumentRow& argument,
+                std::vector<std::string>& words)
+{
+    using Kind = protocol::ArgumentKind;
+    switch (argument.kind) {
+    case Kind::Assignments:
+        return add_keys(active, words, "=");
+    case Kind::Keys:
+        return add_keys(active, words, "");
+    case Kind::Choice:
+        words.insert(words.end(), argument.names.begin(), argument.names.end());
+        return;
+    case Kind::Group:
+        return add_groups(active, words);
+    case Kind::Preset:
+        for (const protocol::Preset& preset : active.presets)
+            words.emplace_back(preset.name);
+        return;
+    case Kind::Accelerator:
+        for (const protocol::Accelerator* accelerator : protocol::accelerators)
+            words.emplace_back(accelerator->name);
+        return;
+    case Kind::Topic:
+        add_commands(words);
+        return add_keys(active, words, "");
+    case Kind::None:
+    case Kind::Number:
+    case Kind::Zoom:
+    case Kind::Count:
+        return;
+    }
+}
+
 } // namespace
 
 std::vector<std::string> words_for(const protocol::Accelerator& active, std::string_view before)
@@ -59,49 +93,8 @@ std::vector<std::string> words_for(const protocol::Accelerator& active, std::str
         add_keys(active, words, "=");
         return words;
     }
-    switch (command->id) {
-    case protocol::CommandId::Set:
-        add_keys(active, words, "=");
-        break;
-    case protocol::CommandId::Get:
-        add_keys(active, words, "");
-        break;
-    case protocol::CommandId::Reset:
-    case protocol::CommandId::Random:
-        add_groups(active, words);
-        break;
-    case protocol::CommandId::Preset:
-        for (const protocol::Preset& preset : active.presets)
-            words.emplace_back(preset.name);
-        break;
-    case protocol::CommandId::Echo:
-    case protocol::CommandId::Animate:
-        words = {"on", "off"};
-        break;
-    case protocol::CommandId::Accelerator:
-        for (const protocol::Accelerator* accelerator : protocol::accelerators)
-            words.emplace_back(accelerator->name);
-        break;
-    case protocol::CommandId::Walk:
-        words.assign(protocol::walk_directions.begin(), protocol::walk_directions.end());
-        break;
-    case protocol::CommandId::Turn:
-        words.assign(protocol::turn_directions.begin(), protocol::turn_directions.end());
-        break;
-    case protocol::CommandId::Help:
-        add_commands(words);
-        add_keys(active, words, "");
-        break;
-    case protocol::CommandId::View:
-    case protocol::CommandId::Hue:
-    case protocol::CommandId::Regs:
-    case protocol::CommandId::Status:
-    case protocol::CommandId::Save:
-    case protocol::CommandId::Load:
-    case protocol::CommandId::Version:
-    case protocol::CommandId::Ping:
-        break;
-    }
+    for (const protocol::ArgumentRow& argument : command->arguments)
+        add_values(active, argument, words);
     return words;
 }
 

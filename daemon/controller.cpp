@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/controller.hpp"
 
-#include "protocol/arguments.hpp"
 #include "protocol/assignments.hpp"
+#include "protocol/groups.hpp"
 #include "protocol/views.hpp"
+
+#include <variant>
 
 namespace raymarch::daemon
 {
@@ -11,14 +13,6 @@ namespace
 {
 
 using namespace protocol; // NOLINT(google-build-using-namespace): this file speaks nothing else
-
-/// Whether the request would change the registers.
-bool writes(const Request& request) noexcept
-{
-    return request.kind == Request::Kind::Frame ||
-           (request.kind == Request::Kind::Command && request.command->effect == Effect::Writes &&
-            !(request.command->bare == Effect::Reads && request.text.empty()));
-}
 
 /// Whether the board took the words; it may write them later.
 bool taken(Applied applied) noexcept
@@ -43,18 +37,19 @@ Controller::Controller(const Accelerator& accelerator, Policy policy, Board& boa
 std::string_view Controller::execute(const Line& line, SessionSettings& session, Unfinished& rest,
                                      const TurnIsOver& turn_is_over)
 {
-    const Request request = read_request(line, policy_.require_checksum);
-    echoed_ += request.kind == Request::Kind::Reply ? 1 : 0;
-    if (!request.answered())
+    const TypedRequest request =
+        parse(line, {*accelerator_, state_, read_}, policy_.require_checksum);
+    if (const auto* const silence = std::get_if<Silence>(&request.what)) {
+        echoed_ += *silence == Silence::Reply ? 1 : 0;
         return {};
+    }
     reply_.begin(request.checksummed);
-    const Outcome fault = dispatch(request, session, rest, turn_is_over);
+    const Outcome fault = dispatch(request, {session, rest, turn_is_over});
     if (rest.any()) {
         rest.checksummed_ = request.checksummed;
         return {};
     }
-    return settle(fault, writes(request) || request.kind == Request::Kind::Faulty,
-                  request.checksummed);
+    return settle(fault, request.effect != Effect::Reads, request.checksummed);
 }
 
 std::string_view Controller::settle(const Outcome& fault, bool writes, bool checksummed)
@@ -73,8 +68,7 @@ std::string_view Controller::settle(const Outcome& fault, bool writes, bool chec
 
 bool Controller::restore(const State& state)
 {
-    hold(state, pack(*accelerator_, state));
-    return taken(board_.apply(words_));
+    return write_state(state, Source::Storage);
 }
 
 void Controller::board_is_back(const Accelerator& accelerator)
@@ -84,28 +78,16 @@ void Controller::board_is_back(const Accelerator& accelerator)
     static_cast<void>(restore(state_)); // the board itself reports what it does not take
 }
 
-Controller::Outcome Controller::dispatch(const Request& request, SessionSettings& session,
-                                         Unfinished& rest, const TurnIsOver& turn_is_over)
+Controller::Outcome Controller::dispatch(const TypedRequest& request, const Call& call)
 {
-    if (request.kind == Request::Kind::Faulty)
-        return request.fault;
-    if (locked_ && writes(request))
+    if (locked_ && request.effect == Effect::Writes)
         return Fault{.code = ErrorCode::Locked};
-    if (request.kind == Request::Kind::Command) {
-        if (auto fault = check_arity(request))
-            return fault;
-        return run(request.command->id, {request.text, session, rest, turn_is_over});
-    }
-
-    State state = state_;
-    if (auto fault = read_frame(*accelerator_, request.text, state))
-        return fault;
-    return apply(state);
-}
-
-Controller::Outcome Controller::apply(const State& state)
-{
-    return apply(state, words_);
+    if (const auto* const fault = std::get_if<Fault>(&request.what))
+        return *fault;
+    if (const auto* const frame = std::get_if<Frame>(&request.what))
+        return apply(*frame->state, words_);
+    return std::visit([&](const auto& command) { return run(command, call); },
+                      std::get<AnyCommand<commands>>(request.what));
 }
 
 Controller::Outcome Controller::apply(const State& state, const Words& before)
@@ -114,16 +96,12 @@ Controller::Outcome Controller::apply(const State& state, const Words& before)
         policy_.basis_check == BasisCheck::Off || basis_is_orthonormal(*accelerator_, state);
     if (!orthonormal && policy_.basis_check == BasisCheck::Reject)
         return Fault{.code = ErrorCode::Basis};
-    const Words words = pack(*accelerator_, state);
-    if (!taken(board_.apply(words)))
+    const Words former = before; // it may be words_
+    if (!write_state(state))
         return Fault{.code = ErrorCode::Hardware};
-
     std::uint64_t changed = 0;
     for (std::size_t i = 0; i < accelerator_->word_count; ++i)
-        changed += words[i] != before[i] ? 1 : 0;
-    if (!(state == state_))
-        storage_.changed(*accelerator_, state);
-    hold(state, words);
+        changed += words_[i] != former[i] ? 1 : 0;
     ++applied_;
     reply_ << "OK seq=" << applied_ << " changed=" << changed;
     if (!orthonormal)
@@ -132,11 +110,20 @@ Controller::Outcome Controller::apply(const State& state, const Words& before)
     return std::nullopt;
 }
 
-void Controller::hold(const State& state, const Words& words)
+bool Controller::write_state(const State& state, Source source)
 {
-    changes_ += state == state_ ? 0 : 1;
-    state_ = state;
+    const Words words = pack(*accelerator_, state);
+    const bool done = taken(board_.apply(words));
+    if (!done && source == Source::Change)
+        return false;
+    if (!(state == state_)) {
+        if (source == Source::Change)
+            storage_.changed(*accelerator_, state);
+        ++changes_;
+        state_ = state;
+    }
     words_ = words;
+    return done;
 }
 
 void Controller::recall(const Accelerator& accelerator)
@@ -155,21 +142,21 @@ void Controller::animate()
     State state = state_;
     movement_.animate(*accelerator_, state);
     if (!(state == state_))
-        put(state);
+        static_cast<void>(write_state(state)); // the next step begins where the last one ended
 }
 
 void Controller::to_defaults()
 {
     State state = state_;
     reset(*accelerator_, {}, state);
-    if (put(state))
+    if (write_state(state))
         preset_.reset();
 }
 
 void Controller::to_next_scene()
 {
     std::optional<std::size_t> preset = preset_;
-    if (put(next_scene(*accelerator_, state_, preset)))
+    if (write_state(next_scene(*accelerator_, state_, preset)))
         preset_ = preset;
 }
 
@@ -178,24 +165,14 @@ void Controller::orbit(Side side)
     State state = state_;
     movement_.orbit(*accelerator_, state, side);
     if (!(state == state_))
-        put(state);
+        static_cast<void>(write_state(state));
 }
 
-bool Controller::put(const State& state)
-{
-    const Words words = pack(*accelerator_, state);
-    if (!taken(board_.apply(words)))
-        return false; // as a line would be refused: the next step begins where this one did
-    if (!(state == state_))
-        storage_.changed(*accelerator_, state);
-    hold(state, words);
-    return true;
-}
-
-void Controller::ok()
+Controller::Outcome Controller::ok()
 {
     reply_ << "OK";
     reply_.end_line();
+    return std::nullopt;
 }
 
 } // namespace raymarch::daemon

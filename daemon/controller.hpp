@@ -14,7 +14,7 @@
 #include "protocol/line_reader.hpp"
 #include "protocol/registers.hpp"
 #include "protocol/reply.hpp"
-#include "protocol/request.hpp"
+#include "protocol/typed_request.hpp"
 
 #include <array>
 #include <cstdint>
@@ -136,59 +136,58 @@ class Controller
 
   private:
     using Outcome = std::optional<protocol::Fault>;
-    /// The arguments of a command, and the session that it came from.
+    template <protocol::CommandName name>
+    using Command = protocol::Command<name>;
+    /// What a command may need besides its arguments.
     struct Call
     {
-        protocol::Text words; ///< behind the command's own
         SessionSettings& session;
         Unfinished& rest;
         const TurnIsOver& turn_is_over;
     };
-    [[nodiscard]] Outcome dispatch(const protocol::Request& request, SessionSettings& session,
-                                   Unfinished& rest, const TurnIsOver& turn_is_over);
-    [[nodiscard]] Outcome run(protocol::CommandId command, const Call& call);
-    [[nodiscard]] Outcome go_on(Unfinished& rest, const TurnIsOver& turn_is_over);
+    /// Where a state comes from that is to become the present one.
+    enum class Source : std::uint8_t { Change, Storage };
+
+    [[nodiscard]] Outcome dispatch(const protocol::TypedRequest& request, const Call& call);
+    /// Writes a state to the board and makes it the present one. Returns false when the board does
+    /// not take it. Then a change has not happened; a state from the storage becomes the present
+    /// one all the same.
+    [[nodiscard]] bool write_state(const protocol::State& state, Source source = Source::Change);
+    /// Writes the state that a line asks for. `changed=` in the reply counts the words that differ
+    /// from `before`.
+    [[nodiscard]] Outcome apply(const protocol::State& state, const protocol::Words& before);
     /// Returns the reply for an outcome, or an empty one where the policy wants none.
     [[nodiscard]] std::string_view settle(const Outcome& fault, bool writes, bool checksummed);
-    [[nodiscard]] Outcome apply(const protocol::State& state);
-    /// `changed=` in the reply counts the words that differ from `before`.
-    [[nodiscard]] Outcome apply(const protocol::State& state, const protocol::Words& before);
-    /// Makes a state that the board has taken the present one.
-    void hold(const protocol::State& state, const protocol::Words& words);
-    /// Applies a state that no line asked for, so that there is no reply and no number. Returns
-    /// false when the board does not take it.
-    bool put(const protocol::State& state);
-    [[nodiscard]] Outcome move(const tl::expected<Steps, protocol::Fault>& steps, Unfinished& rest,
-                               const TurnIsOver& turn_is_over);
+    [[nodiscard]] Outcome go_on(Unfinished& rest, const TurnIsOver& turn_is_over);
+    [[nodiscard]] Outcome move(const Steps& steps, const Call& call);
     [[nodiscard]] Outcome move_on(Unfinished& rest, const TurnIsOver& turn_is_over);
     void end_movement(Unfinished& rest);
     [[nodiscard]] Outcome take_stored(Unfinished& rest);
     [[nodiscard]] Outcome may_go_on(const protocol::Accelerator& accelerator) const;
-    [[nodiscard]] Outcome group(protocol::Text words, std::string_view& name) const;
-    void ok();
+    [[nodiscard]] Outcome ok();
     /// Makes this accelerator the present one, with its last state, or its defaults without one.
     void recall(const protocol::Accelerator& accelerator);
 
-    // The commands, in the order of protocol/commands.hpp: daemon/commands.cpp.
-    [[nodiscard]] Outcome assign(const Call& call);
-    [[nodiscard]] Outcome set_view(const Call& call);
-    [[nodiscard]] Outcome set_hue(const Call& call);
-    [[nodiscard]] Outcome get(const Call& call);
-    [[nodiscard]] Outcome write_registers(const Call& call);
-    [[nodiscard]] Outcome reset_group(const Call& call);
-    [[nodiscard]] Outcome draw_random(const Call& call);
-    [[nodiscard]] Outcome write_status(const Call& call);
-    [[nodiscard]] Outcome preset(const Call& call);
-    [[nodiscard]] Outcome save(const Call& call);
-    [[nodiscard]] Outcome load(const Call& call);
-    [[nodiscard]] Outcome switch_accelerator(const Call& call);
-    [[nodiscard]] Outcome walk(const Call& call);
-    [[nodiscard]] Outcome turn(const Call& call);
-    [[nodiscard]] Outcome animate_at(const Call& call);
-    [[nodiscard]] Outcome echo(const Call& call);
-    [[nodiscard]] Outcome write_version(const Call& call);
-    [[nodiscard]] Outcome ping(const Call& call);
-    [[nodiscard]] Outcome help(const Call& call);
+    // One overload for each row of protocol/commands.hpp: daemon/commands.cpp.
+    [[nodiscard]] Outcome run(const Command<"SET">& set, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"VIEW">& view, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"HUE">& hue, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"GET">& get, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"REGS">& regs, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"RESET">& reset, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"RANDOM">& random, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"STATUS">& status, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"PRESET">& preset, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"SAVE">& save, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"LOAD">& load, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"ACCELERATOR">& accelerator, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"WALK">& walk, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"TURN">& turn, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"ANIMATE">& animate, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"ECHO">& echo, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"VERSION">& version, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"PING">& ping, const Call& call);
+    [[nodiscard]] Outcome run(const Command<"HELP">& help, const Call& call);
 
     const protocol::Accelerator* accelerator_;
     Policy policy_;
@@ -198,6 +197,7 @@ class Controller
     std::mt19937_64 random_;
 
     protocol::State state_;
+    protocol::State read_; ///< the state that the present line asks for
     protocol::Words words_;
     std::uint64_t changes_ = 0;         ///< counts how often the present state was replaced
     std::optional<std::size_t> preset_; ///< the position of the preset that was applied last

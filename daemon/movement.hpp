@@ -1,39 +1,29 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// WALK, TURN and ANIMATE: words to inputs, inputs to the movement of the active accelerator.
+/// Moves the camera or the scene of whichever accelerator is active.
 #pragma once
 
 #include "daemon/turn_is_over.hpp"
 #include "motion/mover.hpp"
-#include "protocol/errors.hpp"
-#include "protocol/text.hpp"
+#include "protocol/commands.hpp"
+#include "protocol/parameters.hpp"
 
 #include <cstdint>
 #include <memory>
-#include <tl/expected.hpp>
 
 namespace raymarch::daemon
 {
 
-/// What WALK or TURN asks for.
+/// Steps of a WALK or a TURN.
 struct Steps
 {
     motion::Inputs inputs;
     unsigned count = 1;
 };
-/// `DIRECTION [STEPS]`. Errors: Argument.
-[[nodiscard]] tl::expected<Steps, protocol::Fault> read_walk(protocol::Text words) noexcept;
-[[nodiscard]] tl::expected<Steps, protocol::Fault> read_turn(protocol::Text words) noexcept;
-
-/// `on [RATE]` or `off`: steps a second, 0 for off. Errors: Argument.
-[[nodiscard]] tl::expected<unsigned, protocol::Fault> read_animate(protocol::Text words) noexcept;
+using protocol::most_rate;
 
 enum class Side : std::uint8_t { Left, Right };
 
-/// Steps a second that may be asked for.
-inline constexpr unsigned most_rate = 60;
-
-/// The movement of whichever accelerator is active.
 class Movement
 {
   public:

@@ -16,7 +16,7 @@ std::string_view Controller::resume(Unfinished& rest, const TurnIsOver& turn_is_
 {
     const bool checksummed = rest.checksummed_;
     const auto* const stored = std::get_if<Unfinished::Stored>(&rest.what_);
-    const bool writes = stored == nullptr || stored->command == CommandId::Load;
+    const bool writes = stored == nullptr || stored->what == Unfinished::Storing::Load;
     reply_.begin(checksummed);
     const Outcome fault = go_on(rest, turn_is_over);
     if (rest.any())
@@ -40,13 +40,12 @@ Controller::Outcome Controller::take_stored(Unfinished& rest)
     const std::optional<State> state = stored.state.get();
     if (!state)
         return Fault{.code = ErrorCode::Storage};
-    if (stored.command == CommandId::Save) {
-        ok();
-        return std::nullopt;
+    if (stored.what == Unfinished::Storing::Save) {
+        return ok();
     }
     if (auto fault = may_go_on(*stored.accelerator))
         return fault;
-    return apply(*state);
+    return apply(*state, words_);
 }
 
 /// Whether a line that writes, and that came for this accelerator, may still do so.
@@ -60,19 +59,17 @@ Controller::Outcome Controller::may_go_on(const Accelerator& accelerator) const
     return std::nullopt;
 }
 
-Controller::Outcome Controller::move(const tl::expected<Steps, Fault>& steps, Unfinished& rest,
-                                     const TurnIsOver& turn_is_over)
+Controller::Outcome Controller::move(const Steps& steps, const Call& call)
 {
-    if (!steps)
-        return steps.error();
+    Unfinished& rest = call.rest;
     rest.what_.emplace<Unfinished::Moving>(Unfinished::Moving{.accelerator = accelerator_,
-                                                              .asked = *steps,
-                                                              .left = *steps,
+                                                              .asked = steps,
+                                                              .left = steps,
                                                               .change = changes_,
                                                               .state = state_,
                                                               .before = words_,
                                                               .movement = std::move(movement_)});
-    return move_on(rest, turn_is_over);
+    return move_on(rest, call.turn_is_over);
 }
 
 /// What the movement remembers is for the next one.
@@ -98,7 +95,7 @@ Controller::Outcome Controller::move_on(Unfinished& rest, const TurnIsOver& turn
         moving.disturbed = true;
     }
     moving.movement.move(*accelerator_, moving.state, moving.left, turn_is_over);
-    if (moving.left.count > 0 && moving.disturbed && !put(moving.state)) {
+    if (moving.left.count > 0 && moving.disturbed && !write_state(moving.state)) {
         end_movement(rest);
         return Fault{.code = ErrorCode::Hardware};
     }

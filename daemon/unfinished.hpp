@@ -5,7 +5,6 @@
 #pragma once
 
 #include "daemon/movement.hpp"
-#include "protocol/commands.hpp"
 #include "protocol/parameters.hpp"
 #include "protocol/registers.hpp"
 
@@ -52,10 +51,10 @@ class Unfinished
   private:
     friend class Controller;
 
-    /// A SAVE or a LOAD.
+    enum class Storing : std::uint8_t { Save, Load };
     struct Stored
     {
-        protocol::CommandId command;
+        Storing what;
         const protocol::Accelerator* accelerator;
         StoredState state;
     };

@@ -15,15 +15,16 @@
 namespace raymarch::motion
 {
 
-namespace detail
-{
-
-// The inputs stand in the order of the directions' names.
-inline constexpr std::array<Input, protocol::walk_directions.size()> walks = {
+/// The inputs of WALK, in the order of protocol::walk_directions.
+inline constexpr std::array<Input, protocol::walk_directions.size()> walk_inputs = {
     Input::Forward, Input::Back, Input::StrafeLeft, Input::StrafeRight, Input::Up, Input::Down};
-inline constexpr std::array<Input, protocol::turn_directions.size()> turns = {
+/// The inputs of TURN, in the order of protocol::turn_directions.
+inline constexpr std::array<Input, protocol::turn_directions.size()> turn_inputs = {
     Input::TurnLeft, Input::TurnRight, Input::TurnUp, Input::TurnDown,
     Input::RollLeft, Input::RollRight, Input::Widen,  Input::Narrow};
+
+namespace detail
+{
 
 [[nodiscard]] constexpr std::optional<Input> input_named(std::string_view name,
                                                          std::span<const std::string_view> names,
@@ -40,13 +41,13 @@ inline constexpr std::array<Input, protocol::turn_directions.size()> turns = {
 /// The input for a direction of WALK. The case of letters is ignored.
 [[nodiscard]] constexpr std::optional<Input> walk_input(std::string_view direction) noexcept
 {
-    return detail::input_named(direction, protocol::walk_directions, detail::walks);
+    return detail::input_named(direction, protocol::walk_directions, walk_inputs);
 }
 
 /// The input for a direction of TURN. The case of letters is ignored.
 [[nodiscard]] constexpr std::optional<Input> turn_input(std::string_view direction) noexcept
 {
-    return detail::input_named(direction, protocol::turn_directions, detail::turns);
+    return detail::input_named(direction, protocol::turn_directions, turn_inputs);
 }
 
 } // namespace raymarch::motion

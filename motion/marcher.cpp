@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "motion/marcher.hpp"
 
+#include "motion/orbit_camera.hpp"
 #include "protocol/accelerators/marcher.hpp"
-#include "protocol/arguments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +58,7 @@ World enter(const protocol::State& state) noexcept
 
 void leave(const World& world, protocol::State& state) noexcept
 {
-    protocol::set_orbit(table::description, world.yaw, world.pitch, state);
+    set_orbit(table::description, world.yaw, world.pitch, state);
     state.codes[table::ZM] = world.zoom;
 }
 

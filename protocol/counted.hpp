@@ -33,6 +33,9 @@ class Counted
     }
     ~Counted() = default;
 
+    /// Adds an item at the end. Precondition: there is room.
+    constexpr void push_back(const T& item) noexcept { items_[size_++] = item; }
+
     [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
     [[nodiscard]] constexpr T& operator[](std::size_t i) noexcept { return items_[i]; }
     [[nodiscard]] constexpr const T& operator[](std::size_t i) const noexcept { return items_[i]; }

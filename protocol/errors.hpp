@@ -83,6 +83,8 @@ consteval bool error_rows_in_order()
 static_assert(error_rows_in_order());
 } // namespace detail
 
+struct ArgumentRow; // protocol/commands.hpp
+
 /// The first fault of a line. It holds all that an ERR reply says.
 struct Fault
 {
@@ -92,6 +94,7 @@ struct Fault
     std::string_view word{};    ///< an unknown key or command, as written; points into the line
     ParameterSet missing{};     ///< the keys that are missing, for MissingKey
     std::string_view allowed{}; ///< a static sentence in place of the code's own meaning
+    const ArgumentRow* argument = nullptr; ///< whose bounds the sentence gives instead
 };
 
 } // namespace raymarch::protocol

@@ -15,10 +15,13 @@ namespace
 
 void write_command(ReplyWriter& reply, const CommandRow& row) noexcept
 {
+    const auto put = [&](std::string_view text) { reply << text; };
     reply << "# " << row.name;
-    if (!row.arguments.empty())
-        reply << ' ' << row.arguments;
-    reply << " : " << row.summary;
+    if (row.argument_count() > 0)
+        reply << ' ';
+    write_syntax(row, put);
+    reply << " : ";
+    write_summary(row, put);
     reply.end_line();
 }
 
@@ -35,11 +38,11 @@ void write_groups(ReplyWriter& reply, const Accelerator& accelerator) noexcept
     reply.end_line();
 }
 
-void write_directions(ReplyWriter& reply, std::span<const std::string_view> directions) noexcept
+void write_names(ReplyWriter& reply, const ArgumentRow& argument) noexcept
 {
-    reply << "# DIRECTION is";
-    for (const std::string_view direction : directions)
-        reply << ' ' << direction;
+    reply << "# " << argument.name << " is";
+    for (const std::string_view name : argument.names)
+        reply << ' ' << name;
     reply.end_line();
 }
 
@@ -82,14 +85,14 @@ bool write_help(ReplyWriter& reply, const Accelerator& accelerator, std::string_
     }
     if (const CommandRow* row = find_command(word)) {
         write_command(reply, *row);
-        if (row->arguments.find("GROUP") != std::string_view::npos)
-            write_groups(reply, accelerator);
-        if (row->id == CommandId::Walk)
-            write_directions(reply, walk_directions);
-        if (row->id == CommandId::Turn)
-            write_directions(reply, turn_directions);
-        if (row->id == CommandId::Accelerator)
-            write_accelerators(reply);
+        for (const ArgumentRow& argument : row->arguments) {
+            if (argument.kind == ArgumentKind::Group)
+                write_groups(reply, accelerator);
+            if (argument.kind == ArgumentKind::Choice && !argument.name.empty())
+                write_names(reply, argument);
+            if (argument.kind == ArgumentKind::Accelerator)
+                write_accelerators(reply);
+        }
         return true;
     }
     if (const auto index = find_parameter(accelerator, word)) {

@@ -2,6 +2,7 @@
 #include "protocol/reply.hpp"
 
 #include "protocol/checksum.hpp"
+#include "protocol/commands.hpp"
 #include "protocol/dequantizer.hpp"
 
 #include <algorithm>
@@ -50,6 +51,13 @@ void write_sentence(ReplyWriter& reply, const Accelerator& accelerator, const Fa
 {
     if (!fault.allowed.empty()) {
         reply << fault.allowed;
+        return;
+    }
+    if (fault.argument != nullptr) {
+        reply << fault.argument->label << " is ";
+        write_bounds(*fault.argument, [&](std::string_view text) { reply << text; });
+        if (!fault.argument->unit.empty())
+            reply << ' ' << fault.argument->unit;
         return;
     }
     const bool about_value = fault.code == ErrorCode::Number || fault.code == ErrorCode::Range ||

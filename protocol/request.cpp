@@ -131,13 +131,4 @@ Request read_request(const Line& line, bool require_checksum) noexcept
     return request;
 }
 
-std::optional<Fault> check_arity(const Request& request) noexcept
-{
-    const Arity arity = request.command->words;
-    const bool wrong = request.text.empty() ? arity == Arity::Required : arity == Arity::None;
-    if (!wrong)
-        return std::nullopt;
-    return Fault{.code = ErrorCode::Argument, .column = request.text.column};
-}
-
 } // namespace raymarch::protocol

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A line to what it asks for: judged by length, bytes and checksum, then told apart as frame or
-/// command. What a frame or a command's words hold is read by assignments.hpp and arguments.hpp.
+/// Checks the length, the bytes and the checksum of a line, and tells frames from commands.
+/// protocol/typed_request.hpp reads the rest.
 #pragma once
 
 #include "protocol/commands.hpp"
@@ -11,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 namespace raymarch::protocol
 {
@@ -39,8 +38,5 @@ struct Request
 
 /// Views in the result point into `line`.
 [[nodiscard]] Request read_request(const Line& line, bool require_checksum) noexcept;
-
-/// Argument when a command that needs words has none, or one that takes none has some.
-[[nodiscard]] std::optional<Fault> check_arity(const Request& request) noexcept;
 
 } // namespace raymarch::protocol

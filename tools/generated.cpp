@@ -211,9 +211,14 @@ std::string parameters_section()
 std::string commands_section()
 {
     std::string text = "\n| command | does |\n| --- | --- |\n";
-    for (const CommandRow& row : commands)
-        text += fmt::format("| `{}{}{}` | {} |\n", row.name, row.arguments.empty() ? "" : " ",
-                            cell(row.arguments), row.summary);
+    for (const CommandRow& row : commands) {
+        std::string syntax;
+        std::string summary;
+        write_syntax(row, [&](std::string_view piece) { syntax += piece; });
+        write_summary(row, [&](std::string_view piece) { summary += piece; });
+        text += fmt::format("| `{}{}{}` | {} |\n", row.name, syntax.empty() ? "" : " ",
+                            cell(syntax), summary);
+    }
     return text + "\n";
 }
 

@@ -2,7 +2,6 @@
 #include "daemon/controller.hpp"
 
 #include "protocol/accelerators.hpp"
-#include "protocol/arguments.hpp"
 #include "protocol/assignments.hpp"
 #include "protocol/checksum.hpp"
 #include "protocol/commands.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "daemon/movement.hpp"
 
+#include "motion/directions.hpp"
 #include "motion/movers.hpp"
 #include "protocol/commands.hpp"
 #include "tests/fakes/descriptions.hpp"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -24,67 +26,39 @@ using motion::Input;
 using test::head;
 using test::Service;
 
-struct StepsRow
+TEST(Movement, EveryDirectionOfTheTableIsAnInputOfItsOwn)
 {
-    std::string_view words;
-    Input input;
-    unsigned count;
+    std::vector<Input> inputs(motion::walk_inputs.begin(), motion::walk_inputs.end());
+    inputs.insert(inputs.end(), motion::turn_inputs.begin(), motion::turn_inputs.end());
+    EXPECT_EQ(std::set<Input>(inputs.begin(), inputs.end()).size(), inputs.size());
+}
+
+struct NamedInput
+{
+    std::string_view name;
+    std::optional<Input> walk;
+    std::optional<Input> turn;
 };
 
-constexpr std::array walk_rows = {
-    StepsRow{"forward", Input::Forward, 1},
-    StepsRow{"back", Input::Back, 1},
-    StepsRow{"left", Input::StrafeLeft, 1},
-    StepsRow{"right", Input::StrafeRight, 1},
-    StepsRow{"up", Input::Up, 1},
-    StepsRow{"down", Input::Down, 1},
-    StepsRow{"FORWARD 3", Input::Forward, 3},
-    StepsRow{"Back \t 1000", Input::Back, 1000},
-    StepsRow{"left 007", Input::StrafeLeft, 7},
-};
-
-constexpr std::array turn_rows = {
-    StepsRow{"left", Input::TurnLeft, 1},
-    StepsRow{"right", Input::TurnRight, 1},
-    StepsRow{"up", Input::TurnUp, 1},
-    StepsRow{"down", Input::TurnDown, 1},
-    StepsRow{"roll_left", Input::RollLeft, 1},
-    StepsRow{"roll_right", Input::RollRight, 1},
-    StepsRow{"wide", Input::Widen, 1},
-    StepsRow{"narrow", Input::Narrow, 1},
-    StepsRow{"Roll_Left 1000", Input::RollLeft, 1000},
+constexpr std::array named_inputs = {
+    NamedInput{"forward", Input::Forward, std::nullopt},
+    NamedInput{"back", Input::Back, std::nullopt},
+    NamedInput{"left", Input::StrafeLeft, Input::TurnLeft},
+    NamedInput{"RIGHT", Input::StrafeRight, Input::TurnRight},
+    NamedInput{"up", Input::Up, Input::TurnUp},
+    NamedInput{"down", Input::Down, Input::TurnDown},
+    NamedInput{"roll_left", std::nullopt, Input::RollLeft},
+    NamedInput{"Roll_Right", std::nullopt, Input::RollRight},
+    NamedInput{"wide", std::nullopt, Input::Widen},
+    NamedInput{"narrow", std::nullopt, Input::Narrow},
 };
 
 TEST(Movement, WordsOfWalkAndTurn)
 {
-    for (const StepsRow& row : walk_rows) {
-        const auto steps = read_walk({.bytes = row.words});
-        ASSERT_TRUE(steps) << row.words;
-        EXPECT_EQ(steps->inputs, motion::Inputs(row.input)) << row.words;
-        EXPECT_EQ(steps->count, row.count) << row.words;
+    for (const NamedInput& row : named_inputs) {
+        EXPECT_EQ(motion::walk_input(row.name), row.walk) << row.name;
+        EXPECT_EQ(motion::turn_input(row.name), row.turn) << row.name;
     }
-    for (const StepsRow& row : turn_rows) {
-        const auto steps = read_turn({.bytes = row.words});
-        ASSERT_TRUE(steps) << row.words;
-        EXPECT_EQ(steps->inputs, motion::Inputs(row.input)) << row.words;
-        EXPECT_EQ(steps->count, row.count) << row.words;
-    }
-}
-
-TEST(Movement, EveryDirectionOfTheTableIsAnInputOfItsOwn)
-{
-    std::vector<motion::Inputs> seen;
-    const auto note = [&](const tl::expected<Steps, protocol::Fault>& steps,
-                          std::string_view name) {
-        ASSERT_TRUE(steps) << name;
-        for (const motion::Inputs& other : seen)
-            EXPECT_FALSE(other == steps->inputs) << name;
-        seen.push_back(steps->inputs);
-    };
-    for (const std::string_view name : protocol::walk_directions)
-        note(read_walk({.bytes = name}), name);
-    for (const std::string_view name : protocol::turn_directions)
-        note(read_turn({.bytes = name}), name);
 }
 
 struct FaultRow
@@ -134,11 +108,19 @@ TEST(Movement, FaultsHaveTheirColumns)
 
 TEST(Movement, RatesOfAnimate)
 {
-    EXPECT_EQ(read_animate({.bytes = "on"}), 20U);
-    EXPECT_EQ(read_animate({.bytes = "ON 1"}), 1U);
-    EXPECT_EQ(read_animate({.bytes = "on 60"}), 60U);
-    EXPECT_EQ(read_animate({.bytes = "off"}), 0U);
-    EXPECT_EQ(read_animate({.bytes = "Off"}), 0U);
+    Service service;
+    unsigned rate = 99;
+    service.controller.on_animate([&](unsigned asked) { rate = asked; });
+    const auto asked = [&](const std::string& words) {
+        EXPECT_EQ(service.say("ANIMATE " + words + "\n"), "OK\r\n") << words;
+        return rate;
+    };
+    EXPECT_EQ(asked("on"), 20U);
+    EXPECT_EQ(asked("ON 1"), 1U);
+    EXPECT_EQ(asked("on 60"), 60U);
+    EXPECT_EQ(asked("off"), 0U);
+    EXPECT_EQ(asked("on 0059"), 59U);
+    EXPECT_EQ(asked("Off"), 0U);
 }
 
 class EveryMovement : public test::EveryAccelerator

@@ -3,7 +3,7 @@
 
 #include "base/crc32.hpp"
 #include "protocol/accelerators.hpp"
-#include "protocol/arguments.hpp"
+#include "motion/random_values.hpp"
 #include "tests/fakes/descriptions.hpp"
 
 #include <fmt/format.h>
@@ -55,9 +55,9 @@ TEST(StateFile, ComesBack)
     for (int i = 0; i < 300; ++i) {
         PersistedState state;
         if (test::pick(random, 0, 3) > 0)
-            protocol::randomise(accelerator, "", random, state.last.emplace(initial()));
+            motion::randomise(accelerator, "", random, state.last.emplace(initial()));
         if (test::pick(random, 0, 3) > 0)
-            protocol::randomise(accelerator, "", random, state.saved.emplace(initial()));
+            motion::randomise(accelerator, "", random, state.saved.emplace(initial()));
         const auto back = parse_state_file(format_state_file(only(state)));
         ASSERT_TRUE(back) << back.error().message;
         ASSERT_EQ(*back, only(state));

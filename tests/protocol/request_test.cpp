@@ -132,31 +132,6 @@ TEST(Request, AChecksumCanBeRequired)
     EXPECT_EQ(read_request({.bytes = "   "}, true).kind, Kind::Blank);
 }
 
-struct ArityRow
-{
-    std::string_view line;
-    std::size_t column; ///< 0: the number of words is right
-};
-
-constexpr std::array arity_rows = {
-    ArityRow{"PING", 0},  ArityRow{"PING x", 6},  ArityRow{"PING  ,", 7},
-    ArityRow{"SET", 4},   ArityRow{"  SET  ", 6}, // the end of the text
-    ArityRow{"SET x", 0},                         // what it holds is judged later
-    ArityRow{"GET", 0},   ArityRow{"GET x", 0},
-};
-
-TEST(Request, ACommandWithTooManyWordsOrNone)
-{
-    for (const ArityRow& row : arity_rows) {
-        const Request request = read_request({.bytes = row.line}, false);
-        ASSERT_EQ(request.kind, Kind::Command) << row.line;
-        const auto fault = check_arity(request);
-        EXPECT_EQ(fault.has_value(), row.column > 0) << row.line;
-        EXPECT_EQ(fault ? fault->column : 0, row.column) << row.line;
-        EXPECT_EQ(fault ? fault->code : ErrorCode::Argument, ErrorCode::Argument) << row.line;
-    }
-}
-
 TEST(Request, CommandsHaveNamesOfTheirOwn)
 {
     std::set<std::string_view> names;
@@ -164,7 +139,6 @@ TEST(Request, CommandsHaveNamesOfTheirOwn)
         EXPECT_TRUE(names.insert(row.name).second) << row.name;
         EXPECT_EQ(find_command(row.name), &row);
         EXPECT_FALSE(row.summary.empty()) << row.name;
-        EXPECT_EQ(row.arguments.empty(), row.words == Arity::None) << row.name;
     }
     for (const ErrorRow& row : errors)
         EXPECT_TRUE(names.insert(row.name).second) << row.name; // HELP finds both by name
