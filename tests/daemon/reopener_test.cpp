@@ -60,14 +60,14 @@ TEST_F(ReopenerTest, AProblemIsLoggedOnceUntilItIsAnother)
 TEST_F(ReopenerTest, OfSeveralProblemsTheNewOnesAreLogged)
 {
     const auto tell = [&](std::set<std::string> problems) {
-        return log_of([&] { reopener.tell(std::move(problems)); });
+        return log_of([&] { reopener.log_new(std::move(problems)); });
     };
     EXPECT_NE(tell({"a", "b"}).find("no lamp: a; b; it will be tried again\n"), std::string::npos);
     EXPECT_EQ(tell({"a", "b"}), "");
     EXPECT_NE(tell({"b", "c"}).find("no lamp: c; it"), std::string::npos);
     EXPECT_EQ(tell({}), "");
     EXPECT_NE(tell({"c"}), "");
-    EXPECT_EQ(log_of([&] { reopener.tell({"d"}, log::Level::Debug, "never mind"); }), "");
+    EXPECT_EQ(log_of([&] { reopener.log_new({"d"}, log::Level::Debug, "never mind"); }), "");
 }
 
 TEST_F(ReopenerTest, ItWaitsLongerEachTimeWhileItIsMissing)
@@ -106,7 +106,7 @@ TEST_F(ReopenerTest, SomeOfItIsFoundAndLostWithoutAWord)
     EXPECT_EQ(reopener.wait(), 500ms);
     now += 30s;
     reopener.some_lost();
-    reopener.look_later();
+    reopener.retry_later();
     EXPECT_EQ(reopener.wait(), 250ms);
 }
 
@@ -121,7 +121,7 @@ TEST_F(ReopenerTest, TheLoopLooksUntilItIsFound)
         loop.quit();
     };
     const std::string log = log_of([&] {
-        reopener.look_now();
+        reopener.retry_now();
         ASSERT_TRUE(loop.run());
     });
     EXPECT_EQ(looks, 3);
@@ -132,14 +132,14 @@ TEST_F(ReopenerTest, TheLoopLooksUntilItIsFound)
 TEST_F(ReopenerTest, AReasonToLookEndsALongWait)
 {
     for (int i = 0; i < 12; ++i)
-        reopener.look_later();
+        reopener.retry_later();
     EXPECT_EQ(reopener.wait(), 30s);
     look = [this] {
-        reopener.look_later();
+        reopener.retry_later();
         EXPECT_EQ(reopener.wait(), 250ms);
         loop.quit();
     };
-    reopener.look_anew();
+    reopener.start_again();
     ASSERT_TRUE(loop.run());
 }
 

@@ -248,7 +248,7 @@ TEST_P(BadFiles, AreKept)
     EXPECT_EQ(test::read_text(path), file_of(with_zoom(2)));
     EXPECT_EQ(test::read_text(path + ".bad"), GetParam().content);
     EXPECT_NE(log.find("starting from the defaults: " + path), std::string::npos) << log;
-    EXPECT_NE(log.find("kept as " + path + ".bad"), std::string::npos) << log;
+    EXPECT_NE(log.find("renamed to " + path + ".bad"), std::string::npos) << log;
     EXPECT_EQ(std::ranges::count(log, '\n'), 2) << log;
 }
 
