@@ -272,7 +272,7 @@ TEST_F(ConsoleAtATerminal, QuitAndExitEndIt)
 {
     for (const std::string word : {"quit", "exit", "QUIT", " Exit\t"}) {
         Terminal terminal(options(), environment());
-        ASSERT_TRUE(terminal.shows("quit, exit or Ctrl-D ends.")) << terminal.shown();
+        ASSERT_TRUE(terminal.shows("quit, exit or Ctrl-D ends the console.")) << terminal.shown();
         ASSERT_TRUE(terminal.shows(prompt));
         terminal.type(word + "\r");
         EXPECT_EQ(terminal.wait(), EX_OK) << word;
@@ -285,7 +285,7 @@ TEST_F(ConsoleAtATerminal, QuitAndExitEndIt)
 TEST_F(ConsoleAtATerminal, AQuestionMarkIsHelp)
 {
     Terminal terminal(options(), environment());
-    ASSERT_TRUE(terminal.shows("HELP or ? explains"));
+    ASSERT_TRUE(terminal.shows("HELP or ? shows the commands"));
     ASSERT_TRUE(terminal.shows(prompt));
     terminal.type("?\r");
     EXPECT_TRUE(terminal.shows("# A frame is KEY=VALUE")) << terminal.shown();

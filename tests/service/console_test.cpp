@@ -150,7 +150,7 @@ TEST(Tool, RenderRefusesBeforeItDraws)
               EX_USAGE);
     const Finished isa = run_tool(folder, {"render", "--isa", "mmx", "-o", "-"});
     EXPECT_EQ(isa.status, EX_USAGE);
-    EXPECT_NE(isa.errors.find("'mmx' does not draw marcher on this machine; there are scalar"),
+    EXPECT_NE(isa.errors.find("'mmx' does not draw marcher on this machine; use one of scalar"),
               std::string::npos);
     const Finished bad = run_tool(folder, {"render", "--line", "FX=2", "-o", "-"});
     EXPECT_EQ(bad.status, EX_DATAERR);
