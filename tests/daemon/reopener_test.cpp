@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Tests of Reopener. The test sets the clock; where the Reopener is to look, the loop is real.
+/// The test sets the clock. The tests of retries use a real loop.
 #include "daemon/reopener.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Error unplugged(const std::string& message = "it is unplugged")
 class ReopenerTest : public testing::Test
 {
   protected:
-    /// What is logged while `action` runs.
+    /// Returns the log lines of `action`.
     template <typename Action>
     std::string log_of(Action action)
     {
@@ -81,7 +81,7 @@ TEST_F(ReopenerTest, ItWaitsLongerEachTimeWhileItIsMissing)
     EXPECT_NE(log, "");
 }
 
-/// What is found and lost in turns is not looked for all the time.
+/// The back-off also grows if something is found and lost again and again.
 TEST_F(ReopenerTest, OnlyWhatStayedForHalfAMinuteIsLookedForSoon)
 {
     reopener.lost();
@@ -110,7 +110,7 @@ TEST_F(ReopenerTest, SomeOfItIsFoundAndLostWithoutAWord)
     EXPECT_EQ(reopener.wait(), 250ms);
 }
 
-/// The loop looks after the wait, and stops when it is found.
+/// The loop retries after the delay, and stops after found().
 TEST_F(ReopenerTest, TheLoopLooksUntilItIsFound)
 {
     const auto begin = std::chrono::steady_clock::now();
