@@ -17,7 +17,7 @@ namespace raymarch::daemon
 enum class Applied : std::uint8_t {
     Written,  ///< the registers hold the words
     Deferred, ///< an earlier commit is still pending; retry() writes the newest words later
-    Failed,   ///< a word read back differently; the old words were written again
+    Failed,   ///< a word read back differently; the old words, if known, were written again
     Absent,   ///< there is no register block
 };
 

@@ -136,7 +136,7 @@ Result<std::optional<std::size_t>> PacketSocket::receive(std::span<std::uint8_t>
         socklen_t from_size = sizeof from;
         const ssize_t size = ::recvfrom(fd_.get(), into.data(), into.size(), 0,
                                         reinterpret_cast<sockaddr*>(&from), &from_size);
-        if (size >= 0 && from.sll_pkttype != PACKET_OUTGOING) // this machine did not send it
+        if (size >= 0 && from.sll_pkttype != PACKET_OUTGOING) // the frame is incoming
             return static_cast<std::size_t>(size);
         if (size >= 0 || errno == EINTR)
             continue;

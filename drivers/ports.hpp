@@ -89,8 +89,8 @@ class FramePort
 
     /// Returns when the kernel has accepted the frame. Errors: InputOutput.
     [[nodiscard]] virtual Result<void> send(std::span<const std::uint8_t> frame) = 0;
-    /// Receives the next frame that another machine sent, cut to the size of `into`. Returns its
-    /// size, or nothing if no frame comes within `timeout`. Errors: InputOutput.
+    /// Receives the next incoming frame, cut to the size of `into`. Returns its size, or nothing if
+    /// no frame comes within `timeout`. Errors: InputOutput.
     [[nodiscard]] virtual Result<std::optional<std::size_t>>
     receive(std::span<std::uint8_t> into, std::chrono::milliseconds timeout) = 0;
 };
