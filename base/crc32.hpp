@@ -9,8 +9,8 @@
 namespace raymarch
 {
 
-/// It goes bit by bit, which is fast enough: the state file has a few hundred bytes, and is written
-/// every two seconds at most.
+/// This bit-by-bit loop is fast enough for the state file: it has a few hundred bytes, and is
+/// written every two seconds at most.
 [[nodiscard]] constexpr std::uint32_t crc32(std::string_view bytes) noexcept
 {
     std::uint32_t crc = 0xFFFF'FFFF;

@@ -15,7 +15,7 @@ namespace
 namespace fs = std::filesystem;
 
 /// The kernel appends this to the /proc link of an open file that was removed.
-constexpr std::string_view mark_of_nameless = " (deleted)";
+constexpr std::string_view deleted_suffix = " (deleted)";
 
 struct TypeName
 {
@@ -68,7 +68,7 @@ Result<FileTarget> find_target(const std::string& path)
     // The link is checked again, because another process may have replaced it meanwhile.
     if (::lstat(target.path.c_str(), &file) == 0)
         target.file = file;
-    else if (there && target.path.ends_with(mark_of_nameless))
+    else if (there && target.path.ends_with(deleted_suffix))
         return fail(
             plain_error(ErrorKind::InputOutput,
                         path + " is an open file without a name, which cannot be replaced"));

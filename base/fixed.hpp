@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Fixed-point numbers whose format, rounding and overflow stand in the type.
+/// Fixed-point numbers. The type defines their format, rounding and overflow.
 ///
-/// Q<I, F> is two's complement with I integer bits (the sign among them) and F fraction bits,
-/// as in the sources' "Q8.24"; UQ<I, F> is unsigned. The raw integer is the only state. Nothing
-/// converts by itself: a product has the full width of both factors, and every way back to a
-/// narrower format is one visible `narrow<To>()` that rounds and overflows as `To` says.
+/// Q<I, F> is two's complement with I integer bits (the sign included) and F fraction bits, as in
+/// the sources' "Q8.24"; UQ<I, F> is unsigned. The raw integer is the only state. There are no
+/// implicit conversions: a product has the full width of both factors, and only `narrow<To>()`
+/// makes a number narrower. It rounds and overflows as `To` says.
 #pragma once
 
 #include <compare>
@@ -19,7 +19,7 @@ namespace raymarch
 
 enum class Sign { Signed, Unsigned };
 enum class Rounding {
-    Floor,       ///< drops the low bits, as an arithmetic shift does in hardware
+    Floor,       ///< drops the low bits, as an arithmetic right shift does
     NearestEven, ///< rounds to the nearest code, ties to the even one
 };
 enum class Overflow {
@@ -103,7 +103,7 @@ using Q = Fixed<Sign::Signed, I, F, R, O>;
 template <int I, int F, Rounding R = Rounding::Floor, Overflow O = Overflow::Wrap>
 using UQ = Fixed<Sign::Unsigned, I, F, R, O>;
 
-/// The exact product: as wide as both factors together (at most 64 bits, checked by the type).
+/// The exact product is as wide as both factors together. The type checks that it fits 64 bits.
 template <Sign S, int I1, int F1, int I2, int F2, Rounding R1, Rounding R2, Overflow O1,
           Overflow O2>
 [[nodiscard]] constexpr Fixed<S, I1 + I2, F1 + F2, R1, O1>
@@ -114,8 +114,8 @@ operator*(Fixed<S, I1, F1, R1, O1> a, Fixed<S, I2, F2, R2, O2> b) noexcept
     return Product::from_raw(static_cast<Wide>(a.raw()) * static_cast<Wide>(b.raw()));
 }
 
-/// `from` in the format To, with To's rounding and overflow. To has the same sign kind and no more
-/// fraction bits than `from`.
+/// Converts `from` to the format To, with To's rounding and overflow. To has the same signedness,
+/// and no more fraction bits than `from`.
 template <typename To, Sign S, int I, int F, Rounding R, Overflow O>
 [[nodiscard]] constexpr To narrow(Fixed<S, I, F, R, O> from) noexcept
 {

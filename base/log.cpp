@@ -37,7 +37,7 @@ constexpr std::array names = {
 
 std::atomic<Level> threshold = Level::Notice;
 
-/// systemd sets JOURNAL_STREAM for services whose standard error goes to the journal.
+/// systemd sets JOURNAL_STREAM for a service if its standard error goes to the journal.
 bool journal_reads() noexcept
 {
     static const bool result =
@@ -45,8 +45,8 @@ bool journal_reads() noexcept
     return result;
 }
 
-/// Whether a byte of a message would end the line or control a terminal. UTF-8 writes the control
-/// characters above 0x7F as C2 80 to C2 9F.
+/// Returns whether a byte of a message would end the line or control a terminal. UTF-8 writes the
+/// control characters above 0x7F as C2 80 to C2 9F.
 bool is_control(unsigned char byte, unsigned char before) noexcept
 {
     return byte < 0x20 || byte == 0x7F || (before == 0xC2 && byte >= 0x80 && byte < 0xA0);
@@ -85,7 +85,7 @@ class Line
         const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
         put({digits.data(), static_cast<std::size_t>(end - digits.data())});
     }
-    /// The line with its ending.
+    /// Returns the line with its ending.
     [[nodiscard]] std::string_view end() noexcept
     {
         const std::string_view ending = cut_ ? "...\n" : "\n";
@@ -108,8 +108,8 @@ class Line
     bool cut_ = false;
 };
 
-/// Writes to standard error without blocking. A test may redirect the descriptor while the program
-/// runs, so the file behind it is checked again for each line.
+/// Writes to standard error without blocking. It checks for each line which file the descriptor
+/// leads to, because a test may redirect it while the program runs.
 class Output
 {
   public:
@@ -144,8 +144,8 @@ class Output
         }
         if (own_)
             return ::write(own_.get(), bytes.data(), bytes.size());
-        // It cannot be opened again (another user's terminal, no /proc), so poll has to tell
-        // whether there is room. A pipe that has room at all has room for a whole line.
+        // It cannot be opened again (another user's terminal, no /proc), so poll() tells whether
+        // there is room. If a pipe has room at all, it has room for a whole line.
         pollfd end = {.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
         if (::poll(&end, 1, 0) != 1 || (end.revents & POLLOUT) == 0)
             return 0;
@@ -185,25 +185,24 @@ class Writer
         lost_ = 0;
         return true;
     }
-    /// A line that was written only in part counts as dropped. A line end is written before the
-    /// next.
+    /// A line that was written only in part counts as dropped. The next line then starts with LF.
     bool put(std::string_view line) noexcept
     {
-        if (broken_ && output_.write("\n") == 0)
+        if (partial_ && output_.write("\n") == 0)
             return false;
-        broken_ = false;
+        partial_ = false;
         const std::size_t sent = output_.write(line);
-        broken_ = sent > 0 && sent < line.size();
+        partial_ = sent > 0 && sent < line.size();
         return sent == line.size();
     }
 
     std::mutex mutex_;
     Output output_;
     std::uint64_t lost_ = 0;
-    bool broken_ = false;
+    bool partial_ = false;
 };
 
-/// This object is never destroyed, because a thread may log until the process ends.
+/// The writer is never destroyed, because a thread may log until the process ends.
 Writer& writer() noexcept
 {
     alignas(Writer) static std::array<std::byte, sizeof(Writer)> place;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Writes log lines to standard error. A line begins with its priority, "<N>", if a journal reads
-/// it, and without one for a person. An error is logged once, where it is handled.
+/// Writes log lines to standard error. A line begins with its priority, "<N>", if it goes to the
+/// journal. An error is logged once, where it is handled.
 ///
-/// Logging never blocks. A line that does not fit into the pipe is dropped, and the next line that
-/// fits also says how many were dropped.
+/// Logging never blocks. A line that does not fit into the pipe is dropped, and the number of
+/// dropped lines is logged before the next line that fits.
 #pragma once
 
 #include <fmt/core.h>
@@ -17,13 +17,13 @@
 namespace raymarch::log
 {
 
-/// The priorities of syslog. The number is what stands between the brackets.
+/// The priorities of syslog. The number stands between the brackets of "<N>".
 enum class Level { Error = 3, Warning = 4, Notice = 5, Info = 6, Debug = 7 };
 
-/// The level that a word from "error" to "debug" names; empty for any other word.
+/// Returns the level that a word from "error" to "debug" names; empty for any other word.
 [[nodiscard]] std::optional<Level> level_named(std::string_view name) noexcept;
 
-/// The longest line, with prefix and ending. A pipe takes a write of this size as a whole.
+/// This is the longest line, with prefix and ending. A write of this size to a pipe is atomic.
 inline constexpr std::size_t longest_line = 4096;
 
 /// Drops lines that are less important than `level` from now on. The default is Notice.

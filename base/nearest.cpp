@@ -12,7 +12,7 @@ namespace raymarch
 namespace
 {
 
-constexpr std::size_t most_slips = 2;
+constexpr std::size_t max_distance = 2;
 
 constexpr char lower(char c) noexcept
 {
@@ -23,8 +23,7 @@ constexpr char lower(char c) noexcept
 
 std::size_t edit_distance(std::string_view one, std::string_view other)
 {
-    // Rows of the table of distances between the prefixes of both words: the row before the last,
-    // the last row, and the present one.
+    // The table holds the distances between all prefixes of both words. Three of its rows are kept.
     std::vector<std::size_t> before(other.size() + 1);
     std::vector<std::size_t> last(other.size() + 1);
     std::vector<std::size_t> row(other.size() + 1);
@@ -50,11 +49,11 @@ std::optional<std::string_view> nearest(std::string_view word,
                                         std::span<const std::string_view> candidates)
 {
     std::optional<std::string_view> found;
-    std::size_t least = most_slips + 1;
+    std::size_t least = max_distance + 1;
     for (const std::string_view candidate : candidates) {
         const std::size_t longer = std::max(word.size(), candidate.size());
         const std::size_t shorter = std::min(word.size(), candidate.size());
-        if (longer - shorter > most_slips) // this also limits the work for a very long word
+        if (longer - shorter > max_distance) // this also limits the work for a very long word
             continue;
         const std::size_t distance = edit_distance(word, candidate);
         if (distance < least && 3 * distance <= longer) {

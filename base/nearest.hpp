@@ -12,16 +12,17 @@
 namespace raymarch
 {
 
-/// The edit distance of two words: how many bytes have to be inserted, deleted, changed or swapped
-/// with their neighbour to turn one into the other. The case of ASCII letters is ignored.
+/// Returns the edit distance of two words: how many bytes have to be inserted, deleted, changed or
+/// swapped with their neighbour to turn one into the other. The case of ASCII letters is ignored.
 [[nodiscard]] std::size_t edit_distance(std::string_view one, std::string_view other);
 
-/// The candidate with the least distance from `word`; of several, the first. The result is empty if
-/// that distance is above 2, or above a third of the longer word.
+/// Returns the first candidate with the least distance from `word`. The result is empty if that
+/// distance is above 2, or above a third of the longer word.
 [[nodiscard]] std::optional<std::string_view> nearest(std::string_view word,
                                                       std::span<const std::string_view> candidates);
 
-/// The end of an error message, `; did you mean 'NAME'?`; empty if no candidate is near enough.
+/// Makes the end of an error message, `; did you mean 'NAME'?`, which is empty if no candidate is
+/// near enough.
 [[nodiscard]] std::string did_you_mean(std::string_view word,
                                        std::span<const std::string_view> candidates);
 

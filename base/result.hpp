@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Expected failures, each with its kind, its errno and a sentence for a person.
-///
-/// A bug is caught by an assertion. Everything else that can go wrong is returned as a Result.
+/// Expected failures are returned as a Result. An assertion catches a bug.
 #pragma once
 
 #include <string>
@@ -25,17 +23,16 @@ struct Error
 {
     ErrorKind kind;
     int number;
-    std::string message; ///< names what, where and, where it helps, what is allowed
+    std::string message; ///< says what is wrong, where, and if it helps, what is allowed
 };
 
 template <typename T>
 using Result = tl::expected<T, Error>;
 
-/// Makes an Error from the present errno: "<operation> <subject>: <strerror>". Call it before
-/// anything else can change errno.
+/// Makes an Error from errno: "<operation> <subject>: <strerror>".
 [[nodiscard]] Error errno_error(ErrorKind kind, const char* operation, const std::string& subject);
 
-/// An Error without an errno.
+/// Makes an Error without an errno.
 [[nodiscard]] inline Error plain_error(ErrorKind kind, std::string message)
 {
     return Error{kind, 0, std::move(message)};
@@ -46,7 +43,7 @@ using Result = tl::expected<T, Error>;
     return tl::unexpected<Error>(std::move(error));
 }
 
-/// The sysexits status for an error: 64, 65, 69, 74 or 78.
+/// Returns the exit status for an error, as sysexits.h defines it: 64, 65, 69, 74 or 78.
 [[nodiscard]] int exit_status(ErrorKind kind) noexcept;
 
 } // namespace raymarch

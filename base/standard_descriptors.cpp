@@ -15,7 +15,7 @@ namespace
 /// Opens the lowest free descriptor; returns -1 if none can be opened.
 int open_placeholder() noexcept
 {
-    const int null = ::open("/dev/null", O_RDWR | O_NOCTTY); // children inherit it: no O_CLOEXEC
+    const int null = ::open("/dev/null", O_RDWR | O_NOCTTY); // no O_CLOEXEC: children inherit it
     return null >= 0 ? null : ::open("/", O_PATH | O_DIRECTORY);
 }
 

@@ -14,15 +14,15 @@ namespace
 
 const std::string live_tree = "firmware/devicetree/base";
 const std::string platform_devices = "bus/platform/devices";
-/// Of the Zynq's clock controller, by the name that the tree has for its bus; older ones first say
-/// amba.
+/// The property of the Zynq's clock controller that lists the running clocks. In older device trees
+/// its bus is named amba.
 constexpr std::array enabled_clocks = {"/axi/slcr@f8000000/clkc@100/fclk-enable",
                                        "/amba/slcr@f8000000/clkc@100/fclk-enable"};
 constexpr std::uint32_t first_clock = 1;
-/// The number of FCLK0 among all clocks (dt-bindings: xlnx,ps7-clkc), behind the controller's own.
+/// The number of FCLK0 among the clocks of the controller (dt-bindings: xlnx,ps7-clkc).
 constexpr std::uint32_t fclk0 = 15;
 
-/// The last cell of a property that has so many.
+/// Returns the last cell of a property that has exactly `cells` cells.
 std::optional<std::uint32_t> last_cell(const KernelTree& tree, const std::string& property,
                                        std::size_t cells)
 {
@@ -33,7 +33,7 @@ std::optional<std::uint32_t> last_cell(const KernelTree& tree, const std::string
     return cells_of(drivers::as_bytes(*bytes)).back();
 }
 
-/// Whether a property, of strings that end with NUL each, has this one in it.
+/// Returns whether a property with NUL-terminated strings contains `text`.
 bool says(const KernelTree& tree, const std::string& property, std::string_view text)
 {
     return tree.line(property).value_or("").find(text) != std::string::npos;
@@ -71,9 +71,9 @@ Result<void> require_logic_clock(const KernelTree& tree)
     if (keeps_logic_clock(tree) != false)
         return {};
     return fail(plain_error(ErrorKind::Unavailable,
-                            "the logic is not touched: Linux stops its clock, FCLK0, as "
-                            "fclk-enable of the device tree leaves it out and the kernel's command "
-                            "line has no clk_ignore_unused"));
+                            "the logic is not touched: Linux stops its clock, FCLK0, because "
+                            "fclk-enable of the device tree does not list it and the kernel's "
+                            "command line has no clk_ignore_unused"));
 }
 
 } // namespace raymarch::board

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The check sequence that the configuration logic of the 7 series computes over the words that are
-/// written to its registers. It is a CRC-32C (polynomial 0x1EDC6F41, reflected). It takes the 32
-/// bits of a word and then the 5 bits of the register's address, low bits first. It starts at 0 and
-/// is not inverted at the end. (UG470; Project X-Ray, crc.h.)
+/// The configuration logic of the 7 series computes this CRC over the words written to its
+/// registers. It is a CRC-32C (polynomial 0x1EDC6F41, reflected). Its input is the 32 bits of a
+/// word and then the 5 bits of the register's address, low bits first. It starts at 0 and is not
+/// inverted at the end. (UG470; Project X-Ray, crc.h.)
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace raymarch::board
 namespace configuration_crc
 {
 
-/// Returns the value after `bits` more bits that are 0.
+/// Returns the CRC after `bits` more zero bits.
 constexpr std::uint32_t shifted(std::uint32_t value, int bits) noexcept
 {
     for (int bit = 0; bit < bits; ++bit)
@@ -31,8 +31,8 @@ constexpr std::array<std::array<std::uint32_t, 256>, 4> make_words() noexcept
             made[n][byte] = shifted(byte, 32 - 8 * static_cast<int>(n));
     return made;
 }
-/// words[n][byte] is what byte n of a word adds to the value after that word. Byte 0 is the low
-/// byte; it comes first, so all 32 bits shift it, and each higher byte is shifted by 8 bits less.
+/// words[n][byte] is the share of byte n in the CRC after a word. Byte 0 is the low byte. It comes
+/// first, so it is shifted by 32 bits, and each higher byte by 8 bits less.
 inline constexpr auto words = make_words();
 
 constexpr std::array<std::uint32_t, 32> make_addresses() noexcept
@@ -42,12 +42,12 @@ constexpr std::array<std::uint32_t, 32> make_addresses() noexcept
         made[address] = shifted(address, 5);
     return made;
 }
-/// addresses[bits] is what the low 5 bits of the value add after their XOR with an address.
+/// addresses[bits] is the share of the low 5 bits of the CRC after their XOR with an address.
 inline constexpr auto addresses = make_addresses();
 
 } // namespace configuration_crc
 
-/// It uses tables because a bitstream has a million words.
+/// The CRC uses tables, because a bitstream has a million words.
 class ConfigurationCrc
 {
   public:

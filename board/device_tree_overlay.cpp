@@ -47,9 +47,9 @@ Result<void> check_overlay(std::span<const std::uint8_t> blob, const std::string
     if (auto begins = check_tree_header(blob, name); !begins)
         return begins;
     if (blob.size() > largest_overlay)
-        return fail(
-            plain_error(ErrorKind::BadData, fmt::format("{}: {} bytes; the kernel takes at most {}",
-                                                        name, blob.size(), largest_overlay)));
+        return fail(plain_error(ErrorKind::BadData,
+                                fmt::format("{}: it has {} bytes; the kernel accepts at most {}",
+                                            name, blob.size(), largest_overlay)));
     return {};
 }
 

@@ -18,10 +18,9 @@ constexpr std::size_t cell_bytes = sizeof(std::uint32_t);
 /// The header's cells, by number.
 enum HeaderCell : std::uint8_t { magic, total_bytes, structure_at, strings_at, header_cells = 10 };
 
-/// What the structure is made of.
 enum Token : std::uint32_t { begin_node = 1, end_node = 2, property = 3, nop = 4, end = 9 };
 
-/// Takes what lies ahead, cell by cell; nothing where there is too little.
+/// Reads cell by cell. A function returns nothing if too few bytes are left.
 class Reader
 {
   public:
@@ -32,7 +31,7 @@ class Reader
         const auto value = bytes(cell_bytes);
         return value ? std::optional(cells_of(*value).front()) : std::nullopt;
     }
-    /// And passes over what fills the last cell.
+    /// Also skips the padding up to the next cell.
     [[nodiscard]] std::optional<TreeBytes> bytes(std::size_t count)
     {
         if (count > rest_.size())
@@ -42,7 +41,7 @@ class Reader
         rest_ = rest_.subspan(std::min(filled, rest_.size()));
         return taken;
     }
-    /// A text and the NUL that ends it.
+    /// Takes a string with its NUL.
     [[nodiscard]] std::optional<TreeBytes> text()
     {
         const auto nul = std::ranges::find(rest_, 0);
@@ -54,7 +53,7 @@ class Reader
     TreeBytes rest_;
 };
 
-/// Whether the text at `at`, to its NUL, is `name`.
+/// Returns whether the string at `at` is `name`.
 bool is_named(TreeBytes strings, std::uint32_t at, std::string_view name)
 {
     return at < strings.size() && name.size() < strings.size() - at &&
@@ -62,8 +61,8 @@ bool is_named(TreeBytes strings, std::uint32_t at, std::string_view name)
            strings[at + name.size()] == 0;
 }
 
-/// Adds the values to `found`; false where the structure ends too early, has an unknown token, or
-/// is no tree: one root, nodes that end where they began, properties within them that have a name.
+/// Adds the values to `found`. Returns false if the structure ends too early, has an unknown token,
+/// or is not a tree with one root, in which every property has a name and is inside a node.
 bool walk(Reader& structure, TreeBytes strings, std::string_view name,
           std::vector<TreeBytes>& found)
 {
@@ -116,14 +115,14 @@ Result<void> check_tree_header(TreeBytes blob, const std::string& file)
         return fail(plain_error(ErrorKind::BadData, file + ": " + what));
     };
     if (blob.size() < header_cells * cell_bytes || Reader(blob).cell() != tree_magic)
-        return bad("no compiled device tree (dtc -@ -I dts -O dtb makes one)");
+        return bad("it is not a compiled device tree (dtc -@ -I dts -O dtb makes one)");
     const auto header = cells_of(blob.first(header_cells * cell_bytes));
     if (header[total_bytes] != blob.size())
         return bad(fmt::format("its header says {} bytes, and there are {}", header[total_bytes],
                                blob.size()));
     for (const HeaderCell part : {structure_at, strings_at})
         if (header[part] > blob.size())
-            return bad(fmt::format("its header says that a part begins at byte {}, behind its end",
+            return bad(fmt::format("its header says that a part begins at byte {}, after its end",
                                    header[part]));
     return {};
 }
@@ -140,7 +139,7 @@ Result<std::vector<TreeBytes>> values_of(TreeBytes blob, std::string_view name,
         return found;
     return fail(plain_error(
         ErrorKind::BadData,
-        fmt::format("{}: its nodes are cut or garbled before byte {}; compile or copy it again",
+        fmt::format("{}: its nodes are cut or damaged before byte {}; compile or copy it again",
                     file, header[structure_at] + structure.at())));
 }
 

@@ -8,12 +8,12 @@ namespace
 
 constexpr const char* manager_class = "class/fpga_manager";
 constexpr const char* zynq_driver = "Xilinx Zynq FPGA Manager";
-/// No bit set: all of the logic, not encrypted.
+/// No flag is set: the bitstream is for all of the logic and not encrypted.
 constexpr const char* whole_logic = "0\n";
 
 std::string state_of(const KernelTree& tree, const std::string& folder)
 {
-    return tree.line(folder + "/state").value_or("no state that can be read");
+    return tree.line(folder + "/state").value_or("unreadable");
 }
 
 } // namespace
@@ -49,13 +49,13 @@ Result<void> load_firmware(KernelTree& tree, const FpgaManager& manager,
                            const std::string& firmware)
 {
     const std::string flags = manager.folder + "/flags";
-    const auto flags_before = tree.line(flags); // not every kernel with `firmware` has them
+    const auto flags_before = tree.line(flags); // some kernels with `firmware` have no `flags`
     if (flags_before)
         if (auto written = tree.write(flags, whole_logic); !written)
             return written;
     const auto loaded = tree.write(manager.folder + "/firmware", firmware + "\n");
     const std::string state = state_of(tree, manager.folder);
-    if (flags_before) // what loads next must not find ours; a failure to load is told before this
+    if (flags_before) // other programs need the old flags; an error of the load is reported first
         if (auto restored = tree.write(flags, *flags_before + "\n"); loaded && !restored)
             return restored;
     if (loaded && state == "operating")

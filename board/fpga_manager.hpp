@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The kernel's FPGA manager: what state the programmable logic is in, and loading it.
+/// Reads the state of the programmable logic from the kernel's FPGA manager, and loads the logic.
 ///
-/// Logic that is not configured does not answer its bus, and a processor that reads there stops
-/// with the whole board. So whoever wants to touch it asks here first.
-/// (Documentation/ABI/testing/sysfs-class-fpga-manager; `flags` and `firmware` are of the board
-/// vendor's kernel, where a device tree overlay is not the only way to load the logic.)
+/// Logic that is not configured does not answer on its bus, and a read there stops the processor.
+/// So the state is checked before each access.
+/// (Documentation/ABI/testing/sysfs-class-fpga-manager. Only the vendor's kernel has `flags` and
+/// `firmware`, which load the logic without a device tree overlay.)
 #pragma once
 
 #include "base/result.hpp"
@@ -20,22 +20,22 @@ namespace raymarch::board
 struct FpgaManager
 {
     std::string folder;          ///< `class/fpga_manager/fpga0`
-    std::string driver;          ///< what its driver calls it
+    std::string driver;          ///< the name that its driver gives
     std::string state;           ///< `operating`, `unknown`, `write error`, …
-    bool takes_firmware = false; ///< it can be told to load a file
+    bool takes_firmware = false; ///< it can load a file
     [[nodiscard]] bool operating() const { return state == "operating"; }
 };
 
-/// The manager of the processor's own logic: a Zynq's where there is one, else the first.
+/// Returns the manager of the Zynq's logic if there is one, else the first manager.
 [[nodiscard]] std::optional<FpgaManager> find_fpga_manager(const KernelTree& tree);
 
-/// Whether the logic may be touched: its manager says `operating`, or there is no manager to ask.
+/// Checks that the logic may be accessed: its manager says `operating`, or there is no manager.
 /// Errors: Unavailable.
 [[nodiscard]] Result<void> require_operating_logic(const KernelTree& tree);
 
-/// Loads the whole logic from `firmware`, a file in the kernel's firmware folder, and sees that it
-/// runs. The manager's flags are as before afterwards. Precondition: `manager.takes_firmware`.
-/// Errors: InputOutput, with the state that the manager ended in.
+/// Loads the logic from `firmware`, a file in the kernel's firmware folder, and checks that it
+/// runs. The manager's flags are restored. Precondition: `manager.takes_firmware`. Errors:
+/// InputOutput, with the manager's last state.
 [[nodiscard]] Result<void> load_firmware(KernelTree& tree, const FpgaManager& manager,
                                          const std::string& firmware);
 

@@ -15,14 +15,14 @@ namespace
 {
 
 constexpr const char* interrupts_property = "interrupts";
-/// Of a property in a live tree; names and interrupts take some ten bytes.
+/// A limit for properties in the live tree. Names and interrupts have some ten bytes.
 constexpr std::size_t largest_property = 4096;
 
-/// An interrupt is three cells to the Zynq's controller: type, number, flags.
+/// An interrupt of the Zynq's controller has three cells: type, number, flags.
 constexpr std::size_t interrupt_cells = 3;
 constexpr std::uint32_t shared_type = 0;
 
-/// A value of another length is for another controller, such as that of a GPIO block.
+/// A value of another length belongs to another controller, such as that of a GPIO block.
 std::vector<SharedInterrupt> shared_interrupts(TreeBytes value)
 {
     std::vector<SharedInterrupt> numbers;
@@ -35,7 +35,7 @@ std::vector<SharedInterrupt> shared_interrupts(TreeBytes value)
     return numbers;
 }
 
-/// Empty where there is none.
+/// Returns an empty string if the device has no such property.
 std::string property_of(const KernelTree& tree, const std::string& device, const char* name)
 {
     return drivers::read_file(tree.path(fmt::format("{}/{}/of_node/{}", uio_driver, device, name)),
@@ -67,7 +67,7 @@ std::vector<InterruptHolder> interrupt_holders(const KernelTree& tree,
                                                std::string_view own)
 {
     std::vector<InterruptHolder> holders;
-    // The folder has files too, and a link to the module: nothing of them has a device tree's node.
+    // The folder also has files and a link to the module. They have no device tree node.
     for (const std::string& device : tree.entries(uio_driver)) {
         if (property_of(tree, device, "linux,uio-name").c_str() == own)
             continue;

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace
 {
 
-constexpr std::size_t largest_file = 65'536; ///< sysfs has at most a page for each
+constexpr std::size_t largest_file = 65'536; ///< a sysfs file has at most one page
 
 } // namespace
 
@@ -88,7 +88,7 @@ Result<void> KernelTree::write(std::string_view file, std::string_view bytes)
     if (static_cast<std::size_t>(written) != bytes.size())
         return fail(plain_error(ErrorKind::InputOutput, name + ": " + std::to_string(written) +
                                                             " of " + std::to_string(bytes.size()) +
-                                                            " bytes were taken"));
+                                                            " bytes were written"));
     if (::close(fd.release()) != 0)
         return fail(errno_error(ErrorKind::InputOutput, "write", name));
     return {};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// sysfs and configfs: small files that the kernel answers. They hang on one root, so that a folder
-/// of recorded files stands in for them in a test.
+/// Reads and writes the files of sysfs and configfs. A test gives another root folder.
 #pragma once
 
 #include "base/result.hpp"
@@ -15,8 +14,8 @@
 namespace raymarch::board
 {
 
-/// The tree under `/sys`, or under the folder that plays it. Paths are relative to the root.
-/// What changes the tree is virtual: a test's kernel answers it as the real one does.
+/// The tree under `/sys` or another root. Paths are relative to the root. The functions that change
+/// the tree are virtual, so that a test can answer as the kernel does.
 class KernelTree
 {
   public:
@@ -25,25 +24,25 @@ class KernelTree
     KernelTree& operator=(const KernelTree&) = delete;
     virtual ~KernelTree() = default;
 
-    /// The full name of a file, for messages and for opening it.
+    /// Returns the full path of a file.
     [[nodiscard]] std::string path(std::string_view file) const;
-    /// The full name of what stands beside the root: `dev` is /dev where the root is /sys.
+    /// Returns the path of a folder beside the root: `dev` gives /dev if the root is /sys.
     [[nodiscard]] std::string beside(std::string_view folder) const;
 
     [[nodiscard]] bool exists(std::string_view file) const;
-    /// The names in a folder, in order; none where it is missing.
+    /// Returns the sorted names in a folder, or none if it does not exist.
     [[nodiscard]] std::vector<std::string> entries(std::string_view folder) const;
-    /// The first line of a file, without its end; nothing where it cannot be read.
+    /// Returns the first line of a file without its LF, or nothing if the file cannot be read.
     [[nodiscard]] std::optional<std::string> line(std::string_view file) const;
-    /// The first line, a number in hexadecimal with or without 0x.
+    /// Reads the first line as a hexadecimal number with or without 0x.
     [[nodiscard]] std::optional<std::uint64_t> hex(std::string_view file) const;
 
-    /// All bytes in one write, as the kernel wants them; what it says at the close counts too.
-    /// Errors: Unavailable (cannot be opened), InputOutput.
+    /// Writes all bytes with one call, as the kernel requires. An error of close() counts, too.
+    /// Errors: Unavailable (the file cannot be opened), InputOutput.
     [[nodiscard]] virtual Result<void> write(std::string_view file, std::string_view bytes);
     /// Errors: InputOutput.
     [[nodiscard]] virtual Result<void> make_folder(std::string_view folder);
-    /// Removes a folder whose files are the kernel's own, as configfs' are. Errors: InputOutput.
+    /// Removes a configfs folder; the kernel removes its files. Errors: InputOutput.
     [[nodiscard]] virtual Result<void> remove_folder(std::string_view folder);
 
   private:

@@ -18,7 +18,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// Undoes what was done, last first, unless it has been kept.
+/// The destructor undoes all steps, the last one first, unless keep() was called.
 class Undo
 {
   public:
@@ -37,7 +37,7 @@ class Undo
     std::vector<std::function<void()>> steps_;
 };
 
-/// The `.bin` into the firmware folder, in place of an earlier one.
+/// Writes the `.bin` to the firmware folder and replaces an earlier one.
 Result<void> install(const KernelTree& tree, std::span<const std::uint8_t> bin, Undo& undo)
 {
     const std::string path = tree.beside(fmt::format("{}/{}", firmware_folder, overlay_firmware));
@@ -45,12 +45,12 @@ Result<void> install(const KernelTree& tree, std::span<const std::uint8_t> bin, 
     if (!target)
         return fail(target.error());
     auto before = drivers::read_file(path, largest_bitstream_file);
-    if (!before && target->file) // it could not be put back
+    if (!before && target->file) // the old file could not be restored
         return fail(before.error());
     if (auto written = drivers::replace_file(path, bin, drivers::Durability::Durable); !written)
         return written;
     undo.add([file = target->path, before = std::move(before)] {
-        std::error_code ignored; // what made it necessary is told
+        std::error_code ignored; // the first error is reported
         if (!before)
             fs::remove(file, ignored);
         else
@@ -60,7 +60,7 @@ Result<void> install(const KernelTree& tree, std::span<const std::uint8_t> bin, 
     return {};
 }
 
-/// Who else holds the overlay's interrupts gives way.
+/// Unbinds all other devices that hold an interrupt of the overlay.
 Result<std::vector<InterruptHolder>>
 unbind_holders(KernelTree& tree, std::span<const SharedInterrupt> interrupts, Undo& undo)
 {
@@ -89,7 +89,7 @@ Result<void> require_absent_overlay(const KernelTree& tree)
     if (state == OverlayState::Absent)
         return {};
     return fail(plain_error(ErrorKind::Unavailable,
-                            fmt::format("the overlay {} is there already ({}): unload it first",
+                            fmt::format("the overlay {} already exists ({}); unload it first",
                                         overlay_name, to_text(state))));
 }
 
@@ -97,7 +97,7 @@ Result<void> require_absent_overlay(const KernelTree& tree)
 struct CheckedFiles
 {
     Bitstream bitstream;
-    std::vector<SharedInterrupt> interrupts; ///< of the overlay
+    std::vector<SharedInterrupt> interrupts; ///< the interrupts of the overlay
 };
 
 Result<CheckedFiles> check_files(const LogicFiles& files, const LogicDevice& device)
@@ -154,7 +154,7 @@ Result<std::vector<InterruptHolder>> load_logic(KernelTree& tree, const LogicFil
     Undo undo;
     if (auto installed = install(tree, bin_of(logic->bitstream), undo); !installed)
         return fail(installed.error());
-    auto unbound = unbind_holders(tree, logic->interrupts, undo); // before its logic is gone
+    auto unbound = unbind_holders(tree, logic->interrupts, undo); // while their logic still runs
     if (!unbound)
         return unbound;
     const auto manager = find_fpga_manager(tree);
@@ -164,7 +164,7 @@ Result<std::vector<InterruptHolder>> load_logic(KernelTree& tree, const LogicFil
     if (auto applied = apply_overlay(tree, overlay_name, files.overlay); !applied)
         return fail(applied.error());
     undo.add([&tree] { static_cast<void>(remove_overlay(tree, overlay_name)); });
-    if (auto runs = require_operating_logic(tree); !runs) // where the overlay was to load it
+    if (auto runs = require_operating_logic(tree); !runs) // the overlay may have loaded the logic
         return fail(runs.error());
     undo.keep();
     return unbound;
@@ -175,7 +175,7 @@ Result<bool> unload_logic(KernelTree& tree)
     switch (overlay_state(tree, overlay_name)) {
     case OverlayState::Unknown:
         return fail(plain_error(ErrorKind::Unavailable,
-                                fmt::format("this kernel knows no overlays: {} is missing",
+                                fmt::format("this kernel cannot load overlays: {} is missing",
                                             tree.path(overlays_folder))));
     case OverlayState::Absent:
         return false;

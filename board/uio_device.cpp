@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* uio_class = "class/uio";
 
-/// udev may give the device a name of its own: a link to the kernel's.
+/// udev may make a link with another name to the device.
 std::string kernel_name(const std::string& node)
 {
     std::error_code error;

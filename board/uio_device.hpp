@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// UIO devices as sysfs describes them. Nothing here opens one.
+/// Finds UIO devices in sysfs. Nothing here opens a device.
 #pragma once
 
 #include "base/result.hpp"
@@ -12,13 +12,13 @@
 namespace raymarch::board
 {
 
-/// The description of the device behind `node`, `/dev/uioN` or a symbolic link to it. Errors:
-/// Unavailable (sysfs does not describe it, or not completely).
+/// Describes the device behind `node`, `/dev/uioN` or a symbolic link to it. Errors: Unavailable
+/// (sysfs does not describe it completely).
 [[nodiscard]] Result<drivers::UioDevice> describe_uio(const KernelTree& tree,
                                                       const std::string& node);
 
-/// The device whose name is `name`; its node stands in the `dev` beside the tree's root. Errors:
-/// Unavailable when there is none, Config when there are several.
+/// Finds the device `name`; its node is in the folder `dev` beside the tree's root. Errors:
+/// Unavailable if there is none, Config if there are several.
 [[nodiscard]] Result<drivers::UioDevice> find_uio(const KernelTree& tree, const std::string& name);
 
 } // namespace raymarch::board

@@ -14,11 +14,11 @@ namespace
 {
 
 void add_keys(const protocol::Accelerator& active, std::vector<std::string>& words,
-              std::string_view behind)
+              std::string_view suffix)
 {
     for (const protocol::Parameter& parameter : active.parameters)
         if (!parameter.is_tail())
-            words.push_back(fmt::format("{}{}", parameter.key, behind));
+            words.push_back(fmt::format("{}{}", parameter.key, suffix));
 }
 
 void add_commands(std::vector<std::string>& words)
@@ -78,7 +78,7 @@ std::vector<std::string> words_for(const protocol::Accelerator& active, std::str
         add_keys(active, words, "=");
         return words;
     }
-    if (before.ends_with('=')) { // the value of a choice
+    if (before.ends_with('=')) { // a value follows
         const std::size_t key_begin = before.find_last_of(" ,") + 1;
         const std::string_view key = before.substr(key_begin, before.size() - 1 - key_begin);
         if (const auto index = protocol::find_parameter(active, key))
@@ -115,7 +115,7 @@ Completion complete(const protocol::Accelerator& active, std::string_view before
             ++same;
         found.text.resize(same);
     }
-    // A word that is complete gets a blank; behind `KEY=` a value follows.
+    // A complete word gets a blank, except `KEY=`, because a value follows.
     if (found.words.size() == 1 && !found.text.ends_with('='))
         found.text += ' ';
     return found;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl conformance`: runs the protocol's tables against a live endpoint, be it this
-/// service, a board over its UART, or somebody's own implementation.
+/// `raymarchctl conformance`: runs the protocol's tables against a live endpoint: this service, a
+/// board over its UART, or another implementation.
 ///
-/// The table files are about one accelerator, the marcher. Rows about the one that is active are
-/// made from its description; then it is switched to the marcher for the files, and back. Where it
-/// cannot be switched, as on a board, its own rows are all.
+/// Rows about the active accelerator are made from its description. The table files are about the
+/// marcher, so the endpoint is switched to the marcher for them, and back. If it cannot be
+/// switched, as on a board, the files are left out.
 #include "cli/conformance_tables.hpp"
 #include "cli/connection.hpp"
 #include "cli/subcommands.hpp"
@@ -31,8 +31,8 @@ namespace
 
 constexpr std::string_view active_reply = "OK accelerator=";
 
-/// The one that the table files are about.
-constexpr const protocol::Accelerator& of_the_files = protocol::marcher::description;
+/// The table files are about this accelerator.
+constexpr const protocol::Accelerator& table_accelerator = protocol::marcher::description;
 
 struct ConformanceOptions
 {
@@ -40,8 +40,8 @@ struct ConformanceOptions
     bool verbose = false;
 };
 
-/// The byte, from 1, at which a reply leaves its pattern: the end of the longest front of the reply
-/// that some front of the pattern describes.
+/// Returns the first byte, counted from 1, at which a reply does not match its pattern: the byte
+/// after the longest prefix of the reply that a prefix of the pattern matches.
 std::size_t first_difference(std::string_view pattern, std::string_view reply)
 {
     for (std::size_t length = std::min(reply.size(), reply.find(" : ")); length > 0; --length)
@@ -51,7 +51,7 @@ std::size_t first_difference(std::string_view pattern, std::string_view reply)
     return 1;
 }
 
-/// The words in a reply to REGS; nothing when it is something else.
+/// Returns the words in a reply to REGS, or nothing if it is another reply.
 std::optional<std::vector<std::uint32_t>> words_of(std::string_view reply)
 {
     std::vector<std::uint32_t> words;
@@ -80,7 +80,7 @@ class Runner
   public:
     Runner(Connection& connection, bool verbose) : connection_(connection), verbose_(verbose) {}
 
-    /// Errors: InputOutput, when the other side cannot be brought to the defaults.
+    /// Errors: InputOutput, if the endpoint cannot be reset to the defaults.
     Result<void> run(const ConformanceTable& table)
     {
         const auto rows = conformance::parse_table(table.text);
@@ -89,7 +89,7 @@ class Runner
         return run(fmt::format("{}.tsv", table.name), *rows);
     }
 
-    /// Errors: as above. `name` and the row's line are what a failing row is called.
+    /// `name` and the row's line identify a failing row. Errors: as above.
     Result<void> run(std::string_view name, const std::vector<conformance::Row>& rows)
     {
         if (const auto reset = connection_.request("RESET"); !reset)
@@ -108,13 +108,13 @@ class Runner
     [[nodiscard]] unsigned failed() const noexcept { return failed_; }
 
   private:
-    /// Rows that are made from a description have no line.
+    /// A row that is made from a description has no line.
     static std::string place(std::string_view name, const conformance::Row& row)
     {
         return row.line == 0 ? std::string(name) : fmt::format("{}:{}", name, row.line);
     }
 
-    /// Errors: InputOutput, when the other side has fallen silent.
+    /// Errors: InputOutput, if the endpoint does not reply any more.
     Result<void> judge(std::string_view name, const conformance::Row& row)
     {
         const std::string difference = run_row(row);
@@ -127,7 +127,7 @@ class Runner
         ++failed_;
         fmt::print("FAILED {} {}\n  sent     {}\n{}", place(name, row), row.why, visible(row.send),
                    difference);
-        if (auto again = connection_.synchronise(); !again) // the next row starts in step
+        if (auto again = connection_.synchronise(); !again) // the next row starts in a known state
             return again;
         const auto now = connection_.request("REGS");
         if (!now)
@@ -146,8 +146,8 @@ class Runner
         return std::move(**line);
     }
 
-    /// What differs, in lines; empty when nothing does. REGS behind the row's own bytes ends its
-    /// replies, whatever their number, and shows the words.
+    /// Returns the differences, or an empty string. REGS is sent after the row's bytes; its reply
+    /// tells that the row has no more replies, and shows the words.
     std::string run_row(const conformance::Row& row)
     {
         const std::string regs = connection_.request_line("REGS") + "\n";
@@ -182,24 +182,24 @@ class Runner
     unsigned failed_ = 0;
 };
 
-/// What is active on the other side. An implementation that does not know the question has the one
-/// of the files. Errors: Unavailable, for one that is not known here; InputOutput.
+/// Returns the active accelerator of the endpoint. If it does not know the command, it has the
+/// accelerator of the tables. Errors: Unavailable, if the accelerator is unknown here; InputOutput.
 Result<const protocol::Accelerator*> active_accelerator(Connection& connection)
 {
     const auto reply = connection.request("ACCELERATOR");
     if (!reply)
         return fail(reply.error());
     if (!reply->starts_with(active_reply))
-        return &of_the_files;
+        return &table_accelerator;
     if (const protocol::Accelerator* found = accelerator_of(*reply))
         return found;
     return fail(
         plain_error(ErrorKind::Unavailable,
-                    fmt::format("'{}' is an accelerator that is not known here",
+                    fmt::format("the endpoint's accelerator '{}' is unknown",
                                 visible(std::string_view(*reply).substr(active_reply.size())))));
 }
 
-/// False where the other side does not switch. Errors: InputOutput.
+/// Returns false if the endpoint does not switch. Errors: InputOutput.
 Result<bool> switch_to(Connection& connection, const protocol::Accelerator& accelerator)
 {
     const auto reply = connection.request(fmt::format("ACCELERATOR {}", accelerator.name));
@@ -217,7 +217,7 @@ Result<void> run_tables(Runner& runner)
     return {};
 }
 
-/// All that the other side can be judged by; leaves its accelerator and the defaults behind.
+/// Runs all rows. Afterwards the endpoint has its old accelerator with the defaults.
 Result<void> run_all(Connection& connection, Runner& runner)
 {
     const auto active = active_accelerator(connection);
@@ -226,20 +226,20 @@ Result<void> run_all(Connection& connection, Runner& runner)
     const protocol::Accelerator& own = **active;
     if (auto result = runner.run(own.name, conformance::description_rows(own)); !result)
         return result;
-    if (&own != &of_the_files) {
-        const auto switched = switch_to(connection, of_the_files);
+    if (&own != &table_accelerator) {
+        const auto switched = switch_to(connection, table_accelerator);
         if (!switched)
             return fail(switched.error());
         if (!*switched) {
             fmt::print("the endpoint stays with {}: the tables, which are about {}, are left out\n",
-                       own.name, of_the_files.name);
+                       own.name, table_accelerator.name);
             return {};
         }
     }
     if (auto result = run_tables(runner); !result)
         return result;
     static_cast<void>(connection.request("RESET"));
-    if (&own != &of_the_files)
+    if (&own != &table_accelerator)
         static_cast<void>(switch_to(connection, own));
     return {};
 }
@@ -270,7 +270,7 @@ void add_conformance(CLI::App& app, Run& run)
         "runs the protocol's tests against a live endpoint, and prints how many rows pass");
     const auto options = std::make_shared<ConformanceOptions>();
     add_endpoint_options(*command, options->endpoint);
-    command->add_flag("--verbose", options->verbose, "print the rows that pass as well");
+    command->add_flag("--verbose", options->verbose, "also print the rows that pass");
     command->callback([options, &run] { run = [options] { return run_conformance(*options); }; });
 }
 

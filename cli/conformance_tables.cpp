@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// C++20 has no #embed; the assembler's .incbin is the same on every target of this project.
+/// C++20 has no #embed, so the assembler's .incbin embeds the files.
 #include "cli/conformance_tables.hpp"
 
 #define RAYMARCH_EMBED(symbol, file)                                                               \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The protocol's table files (tests/data), built into the tool: it needs no file where it is used.
+/// The protocol's table files (tests/data), which are built into the tool.
 #pragma once
 
 #include <array>

@@ -21,15 +21,15 @@ namespace raymarch::cli
 namespace
 {
 
-/// Replies are far shorter; a far end that sends no line ends is not listened to for ever.
+/// Replies are far shorter. A longer line is an error, because the far end sends no line ends.
 constexpr std::size_t longest_line = 1 << 20;
-/// A far end that sends lines of its own without a pause is not listened to for ever either.
+/// The longest wait for a reply while the far end sends other lines without a pause.
 constexpr std::chrono::seconds longest_wait{30};
 
 Result<std::unique_ptr<drivers::BytePort>> open_port(const std::string& text)
 {
     std::error_code ignored;
-    if (std::filesystem::exists(text, ignored)) // an @ may be a part of its name
+    if (std::filesystem::exists(text, ignored)) // the file name may contain an @
         return drivers::SerialPort::open(text, drivers::default_baud);
     const auto name = drivers::parse_tty_name(text);
     if (!name)
@@ -37,7 +37,7 @@ Result<std::unique_ptr<drivers::BytePort>> open_port(const std::string& text)
     return drivers::SerialPort::open(name->path, name->baud);
 }
 
-/// Nobody listens at `path`: says how that can be changed.
+/// Tells the user how to start a service.
 Error no_service(const std::string& path)
 {
     constexpr const char* start = "raymarchd --registers emulated --serial none --state none "
@@ -90,9 +90,10 @@ Result<Connection> Connection::open(const Endpoint& endpoint)
     if (contact)
         return connection;
     if (const int number = connection.interrupted(); number != 0) {
-        connection.port_.reset(); // puts the terminal's settings back
+        connection.port_.reset(); // restores the settings of the terminal
         connection.stop_.reset();
-        static_cast<void>(std::raise(number)); // no caller has a connection yet to ask for it
+        static_cast<void>(
+            std::raise(number)); // the caller gets no connection to ask for the signal
     }
     return fail(contact.error());
 }
@@ -114,7 +115,7 @@ Result<bool> Connection::wait(short events, std::chrono::milliseconds timeout)
     const int ready = ::poll(waiting.data(), waiting.size(), static_cast<int>(left.count()));
     if (interrupted() != 0)
         return fail(plain_error(ErrorKind::InputOutput, "interrupted"));
-    return ready > 0 || (ready < 0 && errno == EINTR); // a read that finds nothing does no harm
+    return ready > 0 || (ready < 0 && errno == EINTR); // a read without data does no harm
 }
 
 Result<void> Connection::read_more()
@@ -128,7 +129,7 @@ Result<void> Connection::read_more()
         return fail(plain_error(ErrorKind::InputOutput, "the service closed the connection"));
     return fail(plain_error(
         ErrorKind::InputOutput,
-        fmt::format("the service closed the connection behind '{}'", visible(received_))));
+        fmt::format("the service closed the connection after '{}'", visible(received_))));
 }
 
 Result<void> Connection::send(std::string_view bytes)
@@ -142,9 +143,9 @@ Result<void> Connection::send(std::string_view bytes)
         if (!ready)
             return fail(ready.error());
         if (!*ready)
-            return fail(plain_error(ErrorKind::InputOutput, "the service takes no bytes"));
-        // The far end has room, or sends replies that have to be read first, or has closed the
-        // connection. A read tells which.
+            return fail(plain_error(ErrorKind::InputOutput, "the service does not read its input"));
+        // The far end has room, or waits until its replies are read, or has closed the connection.
+        // A read tells which.
         if (const auto more = read_more(); !more)
             return fail(more.error());
     }
@@ -169,8 +170,9 @@ Result<std::optional<std::string>> Connection::receive(std::chrono::milliseconds
         }
         searched = received_.size();
         if (searched > longest_line || Clock::now() > give_up)
-            return fail(plain_error(ErrorKind::InputOutput,
-                                    "what comes has no line ends: it is not this protocol"));
+            return fail(
+                plain_error(ErrorKind::InputOutput,
+                            "the far end sends no line ends, so it does not use this protocol"));
         const auto ready = wait(POLLIN, timeout);
         if (!ready)
             return fail(ready.error());
@@ -185,12 +187,12 @@ Error Connection::no_reply(std::string_view line) const
 {
     std::string text = fmt::format("no reply to '{}' came in time", visible(line));
     if (far_end_ == FarEnd::OnlyErrors)
-        text += "; the far end sends ERR replies only (the service's setting replies), so no ERR "
-                "was due";
+        text += "; the far end sends only ERR replies (the service's setting replies), so the line "
+                "had no error";
     else if (far_end_ == FarEnd::Silent)
         text += "; nothing answers at the far end, or the service's setting replies is none";
     if (!skipped_.empty())
-        text += fmt::format("; what came last is no reply to it: '{}'", visible(skipped_));
+        text += fmt::format("; the last line is not a reply to it: '{}'", visible(skipped_));
     return plain_error(ErrorKind::InputOutput, std::move(text));
 }
 
@@ -198,14 +200,14 @@ bool Connection::is_late(std::string_view asked, std::string_view reply) const
 {
     if (!has_right_mark(reply))
         return false;
-    // The reply to a line without a mark has none. Only the last of several lines is looked at, and
-    // an earlier one may have a mark.
+    // The reply to a line without a mark has no mark. If there are several lines, only the last one
+    // is checked, and an earlier one may have a mark.
     if (!has_mark(asked))
         return far_end_ != FarEnd::Unmarked && asked.find('\r') == std::string_view::npos;
     if (!word_.empty() && reply.find(word_) != std::string_view::npos)
         return true;
     // A far end that was silent may still reply to the ACCELERATOR of the first contact. That reply
-    // has one word behind OK, where the reply to STATUS has more.
+    // has one word after OK; the reply to STATUS has more.
     constexpr std::string_view question = "ACCELERATOR";
     constexpr std::size_t ok_bytes = std::string_view("OK ").size();
     const bool names = accelerator_of(without_mark(reply)) != nullptr;
@@ -221,7 +223,7 @@ Result<std::vector<std::string>> Connection::collect(std::string_view line, std:
     std::vector<std::string> replies;
     auto give_up = Clock::now() + longest_wait;
     while (due > 0) {
-        auto came = receive(patience(), give_up);
+        auto came = receive(line_timeout(), give_up);
         if (!came)
             return fail(came.error());
         if (!*came || Clock::now() > give_up)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl console`: a line editor on the service, with history and completion. Where standard
-/// input is no terminal, its lines go out as they are.
+/// `raymarchctl console`: a line editor with history and completion. If standard input is not a
+/// terminal, its lines are sent unchanged.
 #include "cli/connection.hpp"
 #include "cli/history_file.hpp"
 #include "cli/subcommands.hpp"
@@ -27,41 +27,42 @@ namespace
 
 constexpr const char* prompt = "raymarch> ";
 
-/// A word that a person may type besides the protocol's lines. The console does not look for it in
-/// a pipe, whose bytes go out as they came.
-struct OwnWord
+/// A word that the console itself handles. If standard input is not a terminal, it is sent like any
+/// other line.
+struct ConsoleWord
 {
     std::string_view word;
-    std::string_view sent; ///< in its place; empty: the console ends
+    std::string_view replacement; ///< the line that is sent; if empty, the console ends
 };
-constexpr std::array own_words = {
-    OwnWord{"quit", ""},
-    OwnWord{"exit", ""},
-    OwnWord{"?", "HELP"},
+constexpr std::array console_words = {
+    ConsoleWord{"quit", ""},
+    ConsoleWord{"exit", ""},
+    ConsoleWord{"?", "HELP"},
 };
-constexpr const char* greeting = "HELP or ? explains; Tab completes; quit, exit or Ctrl-D ends.\n";
+constexpr const char* greeting =
+    "HELP or ? shows the commands; Tab completes a word; quit, exit or Ctrl-D ends the console.\n";
 
-const OwnWord* find_own_word(std::string_view line)
+const ConsoleWord* find_console_word(std::string_view line)
 {
     const std::string_view typed = protocol::Text{line}.trimmed().bytes;
-    for (const OwnWord& row : own_words)
+    for (const ConsoleWord& row : console_words)
         if (protocol::equal_ignoring_case(row.word, typed))
             return &row;
     return nullptr;
 }
 
-/// Says what is unusual about the far end, as most lines will have no reply.
+/// Warns the user that most lines will have no reply.
 void warn_of(FarEnd far_end)
 {
     if (far_end == FarEnd::Silent)
         fmt::print(stderr, "raymarchctl: nothing answers at the far end, or the service's setting "
                            "replies is none\n");
     if (far_end == FarEnd::OnlyErrors)
-        fmt::print(stderr, "raymarchctl: the far end sends ERR replies only (the service's setting "
+        fmt::print(stderr, "raymarchctl: the far end sends only ERR replies (the service's setting "
                            "replies)\n");
 }
 
-/// `active`: whose keys complete, what the service said last; it must live as long as the lines.
+/// The keys of `active` complete. The pointer must live as long as the lines.
 std::unique_ptr<TypedLines> lines_of_a_person(int stop_fd, const protocol::Accelerator*& active)
 {
     const char* const state = std::getenv("XDG_STATE_HOME"); // NOLINT(concurrency-mt-unsafe)
@@ -69,8 +70,8 @@ std::unique_ptr<TypedLines> lines_of_a_person(int stop_fd, const protocol::Accel
     const auto completes = [&active](std::string_view before) { return complete(*active, before); };
     auto lines = edited_lines(stop_fd, prompt, history_file(state, home), completes);
     if (lines == nullptr) {
-        fmt::print(stderr, "raymarchctl: no line editor: the locale C.UTF-8 is missing, or the "
-                           "terminal is not known\n");
+        fmt::print(stderr, "raymarchctl: there is no line editor, because the locale C.UTF-8 is "
+                           "missing or the terminal is unknown\n");
         return plain_lines(stop_fd, prompt);
     }
     fmt::print("{}", greeting);
@@ -96,7 +97,7 @@ int converse(const Endpoint& endpoint)
         if (!line)
             return report(line.error());
         const int signal = connection->interrupted();
-        if (person && signal == SIGINT) { // as in a shell: the line is dropped
+        if (person && signal == SIGINT) { // the line is dropped, as in a shell
             connection->forget_interruption();
             fmt::print("^C\n");
             continue;
@@ -108,10 +109,10 @@ int converse(const Endpoint& endpoint)
                    : !person && refused ? status_err_reply
                                         : EX_OK;
         }
-        if (const OwnWord* const own = person ? find_own_word(**line) : nullptr) {
-            if (own->sent.empty())
+        if (const ConsoleWord* const word = person ? find_console_word(**line) : nullptr) {
+            if (word->replacement.empty())
                 return EX_OK;
-            *line = own->sent;
+            *line = word->replacement;
         }
         if (replies_due(**line) == 0)
             continue;
@@ -119,10 +120,10 @@ int converse(const Endpoint& endpoint)
         if (!reply)
             return report(*connection, reply.error());
         if (const protocol::Accelerator* const named = accelerator_of(*reply))
-            active = named; // NOLINT(clang-analyzer-deadcode.DeadStores): completion looks at it
+            active = named; // NOLINT(clang-analyzer-deadcode.DeadStores): completion reads it
         refused |= is_err(*reply);
         if (std::fflush(stdout) != 0)
-            return EX_OK; // main says so, unless it is a pipe that was closed
+            return EX_OK; // main reports the error, unless the reader closed the pipe
     }
 }
 

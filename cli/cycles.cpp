@@ -69,7 +69,7 @@ Result<void> print_cycles(const CyclesOptions& options)
     print_line("rays", text_of(rays(view)));
     print_line("steps", fmt::format("{} {}", text_of(steps(view)), model.steps));
     print_line("cycles", text_of(taken));
-    // The sphere's prototype runs nothing where there is no sphere.
+    // The prototype of `sphere` takes no cycles if there is no sphere.
     print_line("fps", taken.sum == 0 ? "-" : four_digits(clock_hz / taken.value()));
     return {};
 }

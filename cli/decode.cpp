@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl decode`: register words back to the frame that they hold.
+/// `raymarchctl decode`: converts register words to the frame that they hold.
 #include "cli/subcommands.hpp"
 #include "cli/texts.hpp"
 #include "cli/words.hpp"
@@ -25,13 +25,14 @@ struct DecodeOptions
     std::vector<std::string> words;
 };
 
-/// Hardware and files may hold codes that no frame can set; whoever decodes them should know.
+/// Hardware and files may hold codes that no frame can set, so the user is warned.
 void warn_out_of_range(const protocol::Accelerator& accelerator, const protocol::State& state)
 {
     for (std::size_t i = 0; i < accelerator.parameters.size(); ++i) {
         const protocol::Parameter& parameter = accelerator.parameters[i];
         if (state.codes[i] < parameter.min_scaled || state.codes[i] > parameter.max_scaled)
-            fmt::print(stderr, "raymarchctl: warning: {} is outside {} to {}: no frame sets it\n",
+            fmt::print(stderr,
+                       "raymarchctl: warning: {} is outside {} to {}; no frame can set it\n",
                        parameter.key, parameter.min, parameter.max);
     }
 }

@@ -20,7 +20,7 @@ using Milliseconds = std::chrono::duration<double, std::milli>;
 constexpr unsigned most_threads = 256;
 constexpr unsigned most_repetitions = 1'000'000;
 
-/// Those that --isa takes here: the reference, and the kernels that this processor runs.
+/// Returns the names that --isa accepts here: the reference, and the kernels of this processor.
 std::string names_here(const engine::Model& model)
 {
     std::string names;
@@ -43,7 +43,7 @@ Result<const engine::Kernel*> kernel_for(const engine::Model& model, const DrawO
     if (kernel == nullptr)
         return fail(
             plain_error(ErrorKind::Usage,
-                        fmt::format("'{}' does not draw {} on this machine; there are {}",
+                        fmt::format("'{}' does not draw {} on this machine; use one of {}",
                                     options.isa, model.description->name, names_here(model))));
     return kernel;
 }
@@ -58,7 +58,7 @@ void print_times(std::vector<Milliseconds> times, const engine::Drawing& drawing
                threads, threads == 1 ? "" : "s");
 }
 
-/// Shows how far a still is, where that takes long: a still is one frame or several.
+/// Shows the progress of a still, which is one frame or several.
 class PictureProgress
 {
   public:
@@ -111,7 +111,7 @@ void add_draw_options(CLI::App& command, DrawOptions& options)
     isa->type_name("NAME");
     command
         .add_flag("--reference", options.reference,
-                  "draw with the plain scalar model, which defines the bits")
+                  "draw with the scalar model, which defines the exact result")
         ->excludes(isa);
     command
         .add_option("--repeat", options.repeat,
@@ -136,7 +136,7 @@ Result<void> draw_picture(const engine::Model& model, engine::WordSpan words,
         return fail(kernel.error());
     const engine::Drawing drawing{model, words, *kernel};
     engine::Painter painter(options.threads);
-    std::optional<PictureProgress> progress; // not where it would be timed, too
+    std::optional<PictureProgress> progress; // none if pictures are timed
     if (options.repeat == 0)
         progress.emplace(painter, tile.height, engine::frames_of_a_still(model, words));
     std::vector<Milliseconds> times;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How a subcommand draws: by which of the ways to the same bytes, and how often.
+/// Options and functions for subcommands that draw. Every kernel gives the same picture.
 #pragma once
 
 #include "base/result.hpp"
@@ -15,22 +15,23 @@ namespace raymarch::cli
 
 struct DrawOptions
 {
-    unsigned threads = 0; ///< 0: one for each processor
+    unsigned threads = 0; ///< 0 means one for each processor
     bool reference = false;
-    std::string isa;     ///< empty: the fastest there is
-    unsigned repeat = 0; ///< pictures to time; 0: one, not timed
+    std::string isa;     ///< empty means the fastest
+    unsigned repeat = 0; ///< pictures to time; 0 means one picture without timing
 };
 
-/// --threads, for a subcommand that draws by the fastest way.
+/// Adds --threads.
 CLI::Option* add_threads_option(CLI::App& command, unsigned& threads);
-/// --threads, --isa, --reference and --repeat. `options` lives as long as `command`.
+/// Adds --threads, --isa, --reference and --repeat. `options` lives as long as `command`.
 void add_draw_options(CLI::App& command, DrawOptions& options);
 
-/// The still of the words, by the fastest way.
+/// Draws the still of the words with the fastest kernel.
 void draw_fastest(const engine::Model& model, engine::WordSpan words, unsigned threads,
                   engine::Image& image);
-/// A part of the still of the words; where it is repeated, says on standard error how long one
-/// takes. Errors: Usage, for an instruction set that this program or this machine does not have.
+/// Draws a part of the still of the words. With --repeat, prints the time of one picture on
+/// standard error. Errors: Usage, for an instruction set that this program or this machine does not
+/// have.
 [[nodiscard]] Result<void> draw_picture(const engine::Model& model, engine::WordSpan words,
                                         const DrawOptions& options, const engine::Region& tile,
                                         engine::Image& image);

@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr int history_length = 1000;
-/// Bytes of one paste, or of one key, come closer together than this.
+/// The bytes of one paste or of one key come closer together than this.
 constexpr int pause_ms = 20;
 
 struct Binding
@@ -31,7 +31,7 @@ struct Binding
 constexpr const char* complete_command = "raymarch-complete";
 constexpr std::array bindings = {
     Binding{"^I", complete_command},          Binding{"^R", "em-inc-search-prev"},
-    Binding{"\\e[1~", "ed-move-to-beg"}, // Home, as terminals send it
+    Binding{"\\e[1~", "ed-move-to-beg"}, // Home
     Binding{"\\e[7~", "ed-move-to-beg"},      Binding{"\\e[H", "ed-move-to-beg"},
     Binding{"\\e[4~", "ed-move-to-end"}, // End
     Binding{"\\e[8~", "ed-move-to-end"},      Binding{"\\e[F", "ed-move-to-end"},
@@ -72,7 +72,7 @@ class EditedLines final : public TypedLines
         ::history(history_.get(), &event, H_SAVE, history_file_.c_str());
     }
 
-    /// False where the terminal cannot be set up.
+    /// Returns false if the terminal cannot be set up.
     bool open()
     {
         history_.reset(::history_init());
@@ -88,15 +88,15 @@ class EditedLines final : public TypedLines
         ::el_set(editor, EL_PROMPT, &EditedLines::prompt);
         ::el_set(editor, EL_GETCFN, &EditedLines::get_character);
         ::el_set(editor, EL_HIST, ::history, history_.get());
-        ::el_set(editor, EL_SIGNAL, 1); // the size of the window, and Ctrl-Z
+        ::el_set(editor, EL_SIGNAL, 1); // for the window size and Ctrl-Z
         ::el_set(editor, EL_EDITOR, "emacs");
         ::el_set(editor, EL_ADDFN, complete_command, "completes a word", &EditedLines::on_tab);
         for (const Binding& binding : bindings)
             ::el_set(editor, EL_BIND, binding.key, binding.command, nullptr);
-        // Between two lines as well the terminal hands on every byte at once: by lines it would
-        // eat a Ctrl-D, and the end of a long paste, that come while a reply is waited for.
+        // The terminal stays in this mode between two lines. In line mode it would drop a Ctrl-D
+        // and the end of a long paste that come before the reply.
         ::el_set(editor, EL_SETTY, "-x", "-icanon", "-echo", nullptr);
-        ::el_source(editor, nullptr); // a person's own ~/.editrc
+        ::el_source(editor, nullptr); // reads the user's ~/.editrc
         return true;
     }
 
@@ -135,14 +135,14 @@ class EditedLines final : public TypedLines
 
     static unsigned char on_tab(EditLine* editor, int /*key*/) { return of(editor).complete(); }
 
-    /// Whether a byte can be read, now or within the pause.
+    /// Returns whether a byte can be read now or within the pause.
     [[nodiscard]] static bool byte_comes()
     {
         pollfd waiting = {.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
         return ::poll(&waiting, 1, pause_ms) > 0;
     }
 
-    /// Appends a byte to `pending_`; false at the end, and when the program is to stop.
+    /// Appends a byte to `pending_`. Returns false at the end and if the program must stop.
     bool read_byte()
     {
         for (;;) {
@@ -166,7 +166,7 @@ class EditedLines final : public TypedLines
         }
     }
 
-    /// As libedit wants it: 1 with a character, 0 at the end.
+    /// libedit expects 1 with a character and 0 at the end.
     int read_character(wchar_t& character)
     {
         for (;;) {
@@ -189,7 +189,7 @@ class EditedLines final : public TypedLines
     unsigned char complete()
     {
         EditLine* const editor = editor_.get();
-        if (!pending_.empty() || byte_comes()) { // pasted, and no request to complete
+        if (!pending_.empty() || byte_comes()) { // the TAB was pasted
             ::el_insertstr(editor, "\t");
             return CC_REFRESH;
         }
@@ -199,7 +199,7 @@ class EditedLines final : public TypedLines
         const Completion found = complete_(before);
         if (found.words.empty())
             return CC_REFRESH_BEEP;
-        if (found.text.size() == found.typed) { // nothing to add: show what there is
+        if (found.text.size() == found.typed) { // there is nothing to add
             show(found.words);
             return CC_REDISPLAY;
         }
@@ -229,10 +229,10 @@ class EditedLines final : public TypedLines
     std::string prompt_;
     std::string history_file_;
     Complete complete_;
-    std::string pending_; ///< bytes of a character that is not whole yet
+    std::string pending_; ///< the first bytes of an incomplete character
     bool stopped_ = false;
     std::unique_ptr<History, EndHistory> history_;
-    std::unique_ptr<EditLine, EndEditor> editor_; // goes first: it uses the history
+    std::unique_ptr<EditLine, EndEditor> editor_; // declared last: it uses the history
 };
 
 } // namespace
@@ -241,7 +241,7 @@ std::unique_ptr<TypedLines>
 edited_lines(int stop_fd, std::string prompt, std::string history,
              std::function<Completion(std::string_view before)> complete)
 {
-    // The editor's characters are UTF-8 whatever the person's locale is: typed_bytes.hpp.
+    // The editor uses UTF-8, whatever the user's locale is (typed_bytes.hpp).
     if (std::setlocale(LC_CTYPE, "C.UTF-8") == nullptr) // NOLINT(concurrency-mt-unsafe): one thread
         return nullptr;
     auto lines = std::make_unique<EditedLines>(stop_fd, std::move(prompt), std::move(history),

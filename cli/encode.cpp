@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl encode`: a parameter frame to its register words, without any service.
+/// `raymarchctl encode`: converts parameter frames to register words, without a service.
 #include "cli/subcommands.hpp"
 #include "cli/words.hpp"
 #include "protocol/assignments.hpp"
@@ -23,7 +23,7 @@ namespace raymarch::cli
 namespace
 {
 
-using namespace protocol; // NOLINT(google-build-using-namespace): lines to words, nothing else
+using namespace protocol; // NOLINT(google-build-using-namespace): a file of few functions
 
 /// Turns lines into replies and remembers whether one of them was an ERR.
 class Encoder
@@ -35,7 +35,7 @@ class Encoder
         , state_(initial_)
     {}
 
-    /// The reply to one line; empty for a line that has none.
+    /// Returns the reply to one line; it is empty for a line that has none.
     std::string_view reply_to(const Line& line)
     {
         const Request request = read_request(line, false);
@@ -46,7 +46,7 @@ class Encoder
             write_fault(reply_, accelerator_, *fault);
             refused_ = true;
         }
-        std::string_view text = reply_.text(); // a file's line ends in LF, not in CR LF
+        std::string_view text = reply_.text(); // it ends in CR LF
         text.remove_suffix(2);
         return text;
     }
@@ -63,7 +63,7 @@ class Encoder
             return Fault{.code = ErrorCode::UnknownCommand,
                          .column = request.command_column,
                          .allowed = "encode takes parameter frames; commands are for the service"};
-        state_ = initial_; // rows of tables that the frame does not name are the defaults
+        state_ = initial_; // table rows that are not in the frame have their defaults
         if (auto fault = read_frame(accelerator_, request.text, state_))
             return fault;
         reply_ << "OK";
@@ -79,7 +79,7 @@ class Encoder
     bool refused_ = false;
 };
 
-/// Standard output in large pieces.
+/// Writes standard output in large pieces.
 class Output
 {
   public:
@@ -138,7 +138,7 @@ int encode_standard_input(const Accelerator& accelerator)
         std::string_view bytes(chunk.data(), static_cast<std::size_t>(size));
         while (const auto line = reader.next(bytes))
             answer(*line);
-        output.flush(); // whoever feeds us line by line waits for the reply
+        output.flush(); // an interactive program waits for the reply
     }
     if (const auto line = reader.finish())
         answer(*line);
@@ -158,8 +158,8 @@ int encode_one(const Accelerator& accelerator, const std::string& text)
     if (!line)
         line = reader.finish();
     if (!line || !bytes.empty())
-        return report(plain_error(ErrorKind::Usage, "encode takes one line; several come on "
-                                                    "standard input"));
+        return report(plain_error(ErrorKind::Usage, "LINE must be one line; write several "
+                                                    "lines to standard input"));
     const std::string_view reply = encoder.reply_to(*line);
     if (reply.empty())
         return report(plain_error(ErrorKind::Usage, "the line is blank"));

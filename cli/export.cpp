@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl export`: a picture, of a file or of the engine, as Ethernet frames, on an interface
-/// or in a capture file.
+/// `raymarchctl export`: sends a picture as Ethernet frames, or writes them to a capture file.
 #include "cli/drawing.hpp"
 #include "cli/grey_picture.hpp"
 #include "cli/subcommands.hpp"
@@ -29,14 +28,14 @@ namespace raymarch::cli
 namespace
 {
 
-/// Whether frames wait for each other as in the source's hardware, or only for the interface.
-enum class Pace : std::uint8_t { AsTheSource, Fast };
+/// The time between frames: that of the source's hardware, or as short as possible.
+enum class Pace : std::uint8_t { Hardware, Fast };
 
 struct ExportOptions
 {
     std::string interface;
     std::string capture;
-    std::optional<std::string> input; ///< none: the view
+    std::optional<std::string> input; ///< without it, the view is drawn
     ViewOptions view;
     unsigned threads = 0;
     bool fast = false;
@@ -47,7 +46,7 @@ constexpr std::chrono::nanoseconds duration_of(std::uint32_t clocks) noexcept
     return std::chrono::nanoseconds(std::uint64_t{clocks} * protocol::nanoseconds_a_clock);
 }
 
-/// The times are those of the source's hardware, after a trigger at 0: the same picture gives the
+/// The times are those of the source's hardware after a trigger at 0, so the same picture gives the
 /// same file.
 Result<void> write_capture(const protocol::GreyPicture& picture, const std::string& path)
 {
@@ -63,8 +62,8 @@ Result<void> send_frames(const protocol::GreyPicture& picture, drivers::FramePor
     auto earliest = Clock::now();
     for (std::size_t i = 0; i < protocol::export_frames; ++i) {
         std::this_thread::sleep_until(earliest);
-        // From this frame, not from the first: what was late is not made up for by a burst.
-        if (pace == Pace::AsTheSource)
+        // The time counts from this frame, so that a late frame is not followed by a burst.
+        if (pace == Pace::Hardware)
             earliest = Clock::now() + duration_of(protocol::clocks_a_row);
         if (auto sent = port.send(protocol::frame_of(picture, i).bytes()); !sent)
             return sent;
@@ -91,7 +90,6 @@ Result<protocol::GreyPicture> read_picture(const std::string& path)
     return picture;
 }
 
-/// The picture decides whether it can be exported, not whose it is.
 Result<protocol::GreyPicture> draw_picture(const ExportOptions& options)
 {
     const auto accelerator = accelerator_named(options.view.accelerator);
@@ -104,7 +102,7 @@ Result<protocol::GreyPicture> draw_picture(const ExportOptions& options)
     if (!words)
         return fail(words.error());
     engine::Image image(*size);
-    if (*size == protocol::export_size) // else there is nothing to draw it for
+    if (*size == protocol::export_size) // another size is refused below
         draw_fastest(engine::model_of(**accelerator), *words, options.threads, image);
     return grey_of(image);
 }
@@ -116,14 +114,14 @@ Result<void> export_picture(const protocol::GreyPicture& picture, const ExportOp
     auto port = drivers::PacketSocket::open(options.interface);
     if (!port)
         return fail(port.error());
-    return send_frames(picture, **port, options.fast ? Pace::Fast : Pace::AsTheSource);
+    return send_frames(picture, **port, options.fast ? Pace::Fast : Pace::Hardware);
 }
 
 Result<void> run_export(const ExportOptions& options)
 {
     if (!options.capture.empty())
         if (auto possible = drivers::check_output(options.capture); !possible)
-            return possible; // before the work, not after it
+            return possible; // checked before the picture is drawn
     const auto picture = options.input ? read_picture(*options.input) : draw_picture(options);
     if (!picture)
         return fail(picture.error());
@@ -147,16 +145,17 @@ void add_export(CLI::App& app, Run& run)
     where->add_option("--pcap", options->capture, "capture file to write; - is standard output")
         ->type_name("FILE");
     where->require_option(1);
-    options->view.accelerator = protocol::fractal::description.name; // whose export it is
+    options->view.accelerator =
+        protocol::fractal::description.name; // the accelerator with this export
     CLI::Option_group& what = add_view_options(*command, options->view);
     what.description("(required: a view, which --set may change, or a picture)");
-    what.require_option(1, 0); // what cannot stand together excludes each other
+    what.require_option(1, 0); // the options exclude each other
     CLI::Option* const threads = add_threads_option(*command, options->threads);
     CLI::Option* const input =
         what.add_option(
                 "--input", options->input,
-                "file of a picture in place of a view, pgm or ppm; its levels are 0 to 15 where "
-                "its maximum is 15, or multiples of 17 where it is 255; - is standard input")
+                "pgm or ppm file of a picture in place of a view; its levels are 0 to 15 if its "
+                "maximum is 15, or multiples of 17 if it is 255; - is standard input")
             ->type_name("FILE")
             ->excludes(command->get_option("--accelerator"), command->get_option("--size"),
                        threads);
@@ -164,8 +163,8 @@ void add_export(CLI::App& app, Run& run)
         input->excludes(what.get_option(view));
     command
         ->add_flag("--fast", options->fast,
-                   "send as fast as the interface takes the frames; without it, they are as far "
-                   "apart as those of the source's hardware")
+                   "send the frames as fast as possible; without it, the time between frames is "
+                   "that of the source's hardware")
         ->needs(interface);
     command->callback([options, &run] {
         run = [options] {

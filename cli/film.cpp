@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl film`: the accelerator's frames while its scene or its camera moves.
+/// `raymarchctl film`: draws the accelerator's frames while its scene or its camera moves.
 #include "cli/drawing.hpp"
 #include "cli/interruption.hpp"
 #include "cli/moves.hpp"
@@ -28,24 +28,23 @@ namespace
 {
 
 constexpr unsigned most_frames = 100'000;
-constexpr unsigned most_steps = 1000; ///< a frame, as of WALK and TURN
+constexpr unsigned most_steps = 1000; ///< the limit of WALK and TURN, here for each frame
 
 struct FilmOptions
 {
     ViewOptions view;
     unsigned frames = 0;
-    unsigned frames_per_second = 25; ///< four hundredths of a second each, which a GIF can say
+    unsigned frames_per_second = 25; ///< a GIF can express 4/100 s for each frame
     unsigned steps = 1;
     std::string moves = "animate";
     unsigned threads = 0;
     std::string output;
 };
 
-/// What a film shows.
 struct Scene
 {
     const protocol::Accelerator& description;
-    protocol::State state; ///< of the first frame
+    protocol::State state; ///< the state of the first frame
     protocol::PictureSize size;
     motion::Inputs inputs;
 };
@@ -68,8 +67,8 @@ Result<Scene> scene_of(const FilmOptions& options)
     return Scene{description, *state, *size, *inputs};
 }
 
-/// Gives the film its frames, up to a stop. Two buffers take turns, as the hardware's do: what a
-/// frame does not draw shows the frame before the last.
+/// Adds the frames to the film until a stop is requested. Two buffers alternate as in the hardware,
+/// so pixels that a frame does not draw show the frame before the last.
 Result<void> add_frames(const Scene& scene, const FilmOptions& options, pictures::FilmWriter& film,
                         const std::stop_token& stop)
 {
@@ -95,13 +94,13 @@ Result<void> add_frames(const Scene& scene, const FilmOptions& options, pictures
     return {};
 }
 
-/// The exit status.
+/// Returns the exit status.
 Result<int> make_film(const FilmOptions& options)
 {
     const auto scene = scene_of(options);
     if (!scene)
         return fail(scene.error());
-    const Interruption interruption; // before the film: what is unfinished goes first
+    const Interruption interruption; // declared before the film, whose destructor runs first
     const auto film = pictures::open_film(options.output, scene->size, options.frames_per_second);
     if (!film)
         return fail(film.error());

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The first contact of a Connection: from whatever an earlier host left to a known state.
+/// The first contact of a Connection brings the line to a known state.
 ///
-/// An LF ends half a line, or the rest of one that is too long. Then a question follows whose reply
-/// nobody else can have asked for: GET with parameters in a random order, or with a random word
-/// that its ERR repeats. Whatever comes before that reply is somebody else's and is dropped. The
-/// order is tried first, as it is no fault and leaves no trace in STATUS; it needs the keys, and
-/// so the name of the accelerator. All questions carry marks, as a service with
-/// `require_checksum` wants it.
+/// An LF ends half a line of an earlier host. Then a command follows whose reply is unique: GET
+/// with keys in a random order, or with a random word that its ERR repeats. All lines before that
+/// reply are dropped. The random order is tried first, because it is not an error and does not
+/// change STATUS. It needs the keys, and so the name of the accelerator. All commands carry marks,
+/// because the service may have `require_checksum`.
 #include "cli/connection.hpp"
 #include "protocol/accelerators.hpp"
 
@@ -21,10 +20,10 @@ namespace raymarch::cli
 namespace
 {
 
-/// How long nothing comes before a question counts as unanswered. Two of them are waited for at a
-/// far end that is dead, and the rest of the reply's time-out is left for the user's line.
+/// The timeout for the reply to a command. A silent far end costs two of them; the rest of
+/// reply_timeout is left for the user's line.
 constexpr std::chrono::milliseconds silence{1000};
-/// A far end that never stops talking is not listened to for longer.
+/// The limit for a far end that sends without a pause.
 constexpr std::chrono::seconds longest_contact{10};
 
 constexpr std::size_t key_count = 5;
@@ -39,7 +38,7 @@ std::string random_word()
     return word;
 }
 
-/// Keys of the accelerator, joined by commas, in an order of their own.
+/// Returns keys of the accelerator in random order, joined by commas.
 std::string random_keys(const protocol::Accelerator& accelerator)
 {
     std::vector<std::string_view> keys;
@@ -52,7 +51,7 @@ std::string random_keys(const protocol::Accelerator& accelerator)
     return fmt::format("{}", fmt::join(keys, ","));
 }
 
-/// The keys of `OK KEY=VALUE,KEY=VALUE`, joined by commas.
+/// Returns the keys of `OK KEY=VALUE,KEY=VALUE`, joined by commas.
 std::string keys_of(std::string_view reply)
 {
     constexpr std::string_view front = "OK ";
@@ -102,13 +101,14 @@ Result<Connection::Found> Connection::probe(std::string_view command, const Acce
         if (accepts(reply))
             return Found::Yes;
         refused |= is_err(reply);
-        // The reply to a word may come behind other ERR lines; for the others there is a next try.
+        // The reply with the random word may come after other ERR lines. For the other commands an
+        // ERR is enough, because another command follows.
         if (refused && word_.empty())
             return Found::Refused;
     }
-    return fail(plain_error(
-        ErrorKind::InputOutput,
-        "the far end talks without a pause, and nothing of it is a reply to what was asked"));
+    return fail(
+        plain_error(ErrorKind::InputOutput,
+                    "the far end sends without a pause, but does not reply to the commands"));
 }
 
 Result<FarEnd> Connection::find_far_end()
@@ -134,7 +134,7 @@ Result<FarEnd> Connection::find_far_end()
         probe("GET " + word_, [this](std::string_view reply) { return repeats(reply, word_); });
     if (!repeated)
         return fail(repeated.error());
-    if (*repeated == Found::Refused) // it knows marks, and is silent since
+    if (*repeated == Found::Refused) // it knows marks, but sends no replies now
         return FarEnd::Speaks;
     if (*repeated == Found::No)
         return replied_ ? FarEnd::Unmarked : FarEnd::Silent;
@@ -161,7 +161,7 @@ Result<void> Connection::synchronise()
     return {};
 }
 
-std::chrono::milliseconds Connection::patience() const noexcept
+std::chrono::milliseconds Connection::line_timeout() const noexcept
 {
     return far_end_ == FarEnd::Silent ? reply_timeout - 2 * silence : reply_timeout;
 }

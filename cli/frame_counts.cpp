@@ -13,7 +13,7 @@ namespace raymarch::cli
 namespace
 {
 
-/// Of `value(frame)` over the frames.
+/// Returns the mean of `value(frame)` over the frames.
 template <typename Value>
 Mean mean_of(const CountedView& view, Value value)
 {
@@ -23,7 +23,7 @@ Mean mean_of(const CountedView& view, Value value)
     return mean;
 }
 
-/// In 64 bits: what fits 32 is one pixel's.
+/// The sum needs 64 bits, because the part of one pixel has 32.
 std::uint64_t sum_of(const CountedFrame& frame, std::uint32_t engine::PixelCost::*part)
 {
     std::uint64_t sum = 0;

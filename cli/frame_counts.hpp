@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What the frames of a view cost the source's hardware: what `raymarchctl cycles` prints.
+/// Counts the cycles, rays and steps of a view's frames in the source's hardware.
 #pragma once
 
 #include "engine/model.hpp"
@@ -14,14 +14,13 @@
 namespace raymarch::cli
 {
 
-/// What each pixel of a frame costs.
 struct CountedFrame
 {
-    std::uint32_t number = 0; ///< frames before it
+    std::uint32_t number = 0; ///< counts from 0 at the reset
     std::vector<engine::PixelCost> costs;
 };
 
-/// A picture, and the frames that were drawn of it.
+/// A view and its drawn frames.
 struct CountedView
 {
     const engine::Model* model;
@@ -30,12 +29,13 @@ struct CountedView
     std::vector<CountedFrame> frames;
 };
 
-/// Draws frame `number`; without one, the frames that a still takes, as they may differ in cost.
+/// Draws frame `number`. Without a number, draws all frames of a still, because their costs may
+/// differ.
 [[nodiscard]] CountedView count(const engine::Model& model, const protocol::Words& words,
                                 protocol::PictureSize size, std::optional<std::uint32_t> number,
                                 unsigned threads);
 
-/// A mean over frames, exact.
+/// An exact mean over frames.
 struct Mean
 {
     std::uint64_t sum = 0;
@@ -47,14 +47,14 @@ struct Mean
     }
 };
 
-/// `1009945.5`: up to two decimals, cut off.
+/// Writes up to two decimals without rounding: `1009945.5`.
 [[nodiscard]] std::string text_of(Mean mean);
 
 [[nodiscard]] Mean rays(const CountedView& view);
 [[nodiscard]] Mean steps(const CountedView& view);
 [[nodiscard]] Mean cycles(const CountedView& view, unsigned units);
 
-/// Four digits, as many of them decimals as there are places: `0.2275`, `35.91`, `4812`.
+/// Writes four significant digits: `0.2275`, `35.91`, `4812`.
 [[nodiscard]] std::string four_digits(double value);
 
 } // namespace raymarch::cli

@@ -16,7 +16,7 @@ tl::unexpected<Error> no_export(const std::string& why)
 {
     return fail(plain_error(
         ErrorKind::BadData,
-        fmt::format("{}; what can be exported is {}x{} in 16 levels of grey, as the accelerator "
+        fmt::format("{}; an export needs {}x{} pixels in 16 levels of grey, as the accelerator "
                     "fractal draws with COLOUR=off",
                     why, protocol::export_size.width, protocol::export_size.height)));
 }
@@ -39,7 +39,7 @@ Result<protocol::GreyPicture> grey_of(const engine::Image& image)
         if (red != green || red != blue)
             return no_export(fmt::format("{} {},{},{}, not grey", where(), red, green, blue));
         if (red % step != 0)
-            return no_export(fmt::format("{} {}, no multiple of {}", where(), red, step));
+            return no_export(fmt::format("{} {}, not a multiple of {}", where(), red, step));
         picture.levels[i] = static_cast<std::uint8_t>(red / step);
     }
     return picture;

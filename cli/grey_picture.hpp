@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Between a picture in memory and the sixteen levels of grey that are exported.
+/// Converts between a picture in memory and the 16 levels of grey of an export.
 #pragma once
 
 #include "base/result.hpp"
@@ -10,8 +10,7 @@
 namespace raymarch::cli
 {
 
-/// Level g stands as 17 * g in each channel. Errors: BadData, which names what can be exported and
-/// the first pixel that cannot.
+/// Level g is 17 * g in each channel. Errors: BadData, which names the first wrong pixel.
 [[nodiscard]] Result<protocol::GreyPicture> grey_of(const engine::Image& image);
 
 [[nodiscard]] engine::Image image_of(const protocol::GreyPicture& picture);

@@ -14,8 +14,9 @@ bool is_absolute(const char* folder) noexcept
     return folder != nullptr && *folder == '/';
 }
 
-/// libedit would wait for a FIFO, and replace a device.
-std::string unless_it_is_no_file(std::string path)
+/// Returns an empty path for a FIFO or a device: libedit would wait for a FIFO and replace a
+/// device.
+std::string ordinary_or_empty(std::string path)
 {
     std::error_code ignored;
     const auto there = std::filesystem::status(path, ignored);
@@ -30,9 +31,9 @@ std::string history_file(const char* state_home, const char* home)
 {
     const std::string name = "/raymarchctl_history";
     if (is_absolute(state_home))
-        return unless_it_is_no_file(state_home + name);
+        return ordinary_or_empty(state_home + name);
     if (is_absolute(home))
-        return unless_it_is_no_file(home + ("/.local/state" + name));
+        return ordinary_or_empty(home + ("/.local/state" + name));
     return {};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Where the console keeps the lines that were typed.
+/// The file in which the console keeps its history.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 namespace raymarch::cli
 {
 
-/// `$XDG_STATE_HOME/raymarchctl_history`, else `$HOME/.local/state/raymarchctl_history`; empty
-/// where there is neither, and where something else than a file has that name. Either may be
-/// nullptr; an empty or relative one counts as not set, as the XDG specification wants it.
+/// Returns `$XDG_STATE_HOME/raymarchctl_history`, else `$HOME/.local/state/raymarchctl_history`.
+/// The result is empty if neither variable is set, or if the path is not an ordinary file. A
+/// variable that is nullptr, empty or relative counts as not set (XDG specification).
 [[nodiscard]] std::string history_file(const char* state_home, const char* home);
 
 } // namespace raymarch::cli

@@ -9,10 +9,10 @@ namespace
 {
 
 constexpr int shell_status = 128;
-constexpr int wake_up = SIGURG; // ignored unless somebody waits for it
+constexpr int wake_up = SIGURG; // it is ignored by default
 
-/// What a shell or nohup has set to be ignored is not waited for: a signal that is blocked comes
-/// to sigwait() even then.
+/// A signal that the shell or nohup ignores stays ignored. sigwait() would return it if it were
+/// blocked.
 bool is_ignored(int number)
 {
     struct sigaction action = {};
@@ -21,7 +21,7 @@ bool is_ignored(int number)
 
 } // namespace
 
-// A thread that waits, not a handler: nothing that a handler may do reaches a stop token.
+// A thread waits for the signals, because a signal handler must not request a stop.
 Interruption::Interruption()
 {
     sigemptyset(&signals_);
@@ -34,7 +34,7 @@ Interruption::Interruption()
         int number = 0;
         while (sigwait(&signals_, &number) == 0 && !over.stop_requested())
             if (number != wake_up && status_ == 0) {
-                status_ = shell_status + number; // first: who sees the stop asks for it
+                status_ = shell_status + number; // set before the stop, which lets others read it
                 stop_.request_stop();
             }
     });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Ctrl-C as a request to stop, so that what is unfinished is cleared away.
+/// Turns Ctrl-C into a stop request, so that temporary files are removed.
 #pragma once
 
 #include <csignal>
@@ -12,8 +12,8 @@
 namespace raymarch::cli
 {
 
-/// As long as it is there, SIGINT, SIGTERM and SIGHUP request a stop in place of ending the
-/// program; those that are ignored stay so. Threads have to be started after it.
+/// While it exists, SIGINT, SIGTERM and SIGHUP request a stop and do not end the program. Ignored
+/// signals stay ignored. Threads must be started after it.
 class Interruption
 {
   public:
@@ -23,7 +23,7 @@ class Interruption
     ~Interruption();
 
     [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
-    /// What a shell says of a program that the signal ended: 128 and its number; 0 without one.
+    /// Returns the exit status that a shell gives for the signal, 128 plus its number, or 0.
     [[nodiscard]] int status() const noexcept { return status_; }
 
   private:

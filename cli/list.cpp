@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl list`: the names that the other subcommands take, with their meanings.
+/// `raymarchctl list`: prints the names that the other subcommands take, with their meanings.
 #include "cli/names.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/words.hpp"
@@ -21,7 +21,6 @@ namespace raymarch::cli
 namespace
 {
 
-/// One list that can be asked for.
 struct ListRow
 {
     std::string_view name;
@@ -30,19 +29,19 @@ struct ListRow
 };
 constexpr std::array list_rows = {
     ListRow{
-        "accelerators", "what --accelerator takes",
+        "accelerators", "names for --accelerator",
         [](const protocol::Accelerator&) -> Result<NamedThings> { return accelerator_names(); }},
-    ListRow{"presets", "what --preset takes",
+    ListRow{"presets", "names for --preset",
             [](const protocol::Accelerator& accelerator) -> Result<NamedThings> {
                 return preset_names(accelerator);
             }},
-    ListRow{"scenes", "what --scene takes",
+    ListRow{"scenes", "names for --scene",
             [](const protocol::Accelerator& accelerator) -> Result<NamedThings> {
                 if (!accelerator.scene)
                     return fail(has_no_scenes(accelerator));
                 return scene_names(accelerator);
             }},
-    ListRow{"keys", "what --set and frames take",
+    ListRow{"keys", "keys for --set and for frames",
             [](const protocol::Accelerator& accelerator) -> Result<NamedThings> {
                 return key_names(accelerator);
             }},
@@ -58,7 +57,7 @@ NamedThings names_of_lists()
 
 struct ListOptions
 {
-    std::string what; ///< empty: the accelerators, and how to list the rest
+    std::string what; ///< empty means the accelerators and the names of the lists
     std::string accelerator;
 };
 
@@ -77,7 +76,7 @@ void print(const NamedThings& things)
 Result<void> print_overview()
 {
     print(accelerator_names());
-    fmt::print("\nraymarchctl list WHAT prints one of these lists, of the accelerator that "
+    fmt::print("\nraymarchctl list WHAT prints one of these lists for the accelerator that "
                "--accelerator names:\n");
     print(names_of_lists());
     return {};

@@ -20,7 +20,7 @@ int report(const Error& error)
 
 } // namespace raymarch::cli
 
-// Before its try blocks only a lack of memory throws. NOLINTNEXTLINE(bugprone-exception-escape)
+// Outside its try blocks only a lack of memory throws. NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv)
 {
     namespace cli = raymarch::cli;
@@ -48,8 +48,8 @@ int main(int argc, char** argv)
         errno = 0;
         const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
         return written || errno == EPIPE ? status : EX_IOERR;
-    } catch (const std::system_error& error) { // what fmt::print throws when nobody takes the text
-        if (error.code() == std::errc::broken_pipe) // `| head -1` has what it wanted
+    } catch (const std::system_error& error) {      // fmt::print throws this if the write fails
+        if (error.code() == std::errc::broken_pipe) // the reader, such as head, has closed the pipe
             return EX_OK;
         fmt::print(stderr, "raymarchctl: {}\n", error.what());
         return EX_IOERR;

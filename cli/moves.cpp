@@ -16,7 +16,7 @@ namespace
 constexpr std::string_view turn_prefix = "turn-";
 constexpr std::string_view animate = "animate";
 
-/// WALK and TURN share the names of four directions; so those of TURN have a word before them.
+/// WALK and TURN share the names of four directions, so those of TURN have a prefix.
 std::optional<motion::Input> input_of(std::string_view word)
 {
     if (protocol::equal_ignoring_case(word, animate))
@@ -38,8 +38,8 @@ Result<motion::Inputs> parse_moves(std::string_view text)
         if (!input)
             return fail(plain_error(
                 ErrorKind::Usage,
-                fmt::format("--move: '{}' is no movement; there are {}, {}{}, {}", word,
-                            fmt::join(protocol::walk_directions, ", "), turn_prefix,
+                fmt::format("--move: there is no movement '{}'; the movements are {}, {}{}, {}",
+                            word, fmt::join(protocol::walk_directions, ", "), turn_prefix,
                             fmt::join(protocol::turn_directions, fmt::format(", {}", turn_prefix)),
                             animate)));
         inputs = inputs | *input;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What moves during a film, in words.
+/// Parses --move of `raymarchctl film`.
 #pragma once
 
 #include "base/result.hpp"
@@ -11,8 +11,8 @@
 namespace raymarch::cli
 {
 
-/// A list with commas of directions of WALK (`forward`), of TURN with `turn-` before them
-/// (`turn-left`), and `animate`; any case. Errors: Usage, naming what there is.
+/// Reads a comma-separated list of directions of WALK (`forward`), directions of TURN with a prefix
+/// (`turn-left`), and `animate`. The case is ignored. Errors: Usage.
 [[nodiscard]] Result<motion::Inputs> parse_moves(std::string_view text);
 
 } // namespace raymarch::cli

@@ -15,7 +15,7 @@ namespace raymarch::cli
 namespace
 {
 
-std::vector<std::string_view> bare_names(const NamedThings& things)
+std::vector<std::string_view> without_meanings(const NamedThings& things)
 {
     std::vector<std::string_view> names;
     for (const NamedThing& thing : things)
@@ -72,13 +72,14 @@ Error has_no_scenes(const protocol::Accelerator& accelerator)
 Error unknown_name(std::string_view kind, std::string_view name, const NamedThings& known)
 {
     return plain_error(ErrorKind::Usage,
-                       fmt::format("'{}' is no {}; there are {}{}", name, kind,
-                                   fmt::join(bare_names(known), ", "), meant_instead(name, known)));
+                       fmt::format("there is no {1} '{0}'; the {1}s are {2}{3}", name, kind,
+                                   fmt::join(without_meanings(known), ", "),
+                                   suggestion(name, known)));
 }
 
-std::string meant_instead(std::string_view name, const NamedThings& known)
+std::string suggestion(std::string_view name, const NamedThings& known)
 {
-    return did_you_mean(name, bare_names(known));
+    return did_you_mean(name, without_meanings(known));
 }
 
 } // namespace raymarch::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl overlay`: loads the board's logic and its device tree overlay, takes the overlay
-/// away, and says how both stand.
+/// `raymarchctl overlay`: loads the board's logic and its device tree overlay, removes the overlay,
+/// and prints the state of both.
 #include "board/board_tree.hpp"
 #include "board/device_tree_overlay.hpp"
 #include "board/fpga_manager.hpp"
@@ -29,8 +29,8 @@ using board::KernelTree;
 struct OverlayOptions
 {
     std::string root = "/sys";
-    std::string bitstream; ///< empty: raymarch.bit in the firmware folder
-    std::string overlay;   ///< empty: raymarch.dtbo there
+    std::string bitstream; ///< empty means raymarch.bit in the firmware folder
+    std::string overlay;   ///< empty means raymarch.dtbo in the firmware folder
 };
 
 std::string or_firmware(const KernelTree& tree, const std::string& given, const char* name)
@@ -43,7 +43,7 @@ void warn(const std::string& text)
     fmt::print(stderr, "raymarchctl: {}\n", text);
 }
 
-/// What the kernel does not count as a failure, and the service would trip over.
+/// Warns of problems that are not errors for the kernel, but for the service.
 void print_warnings(const KernelTree& tree)
 {
     if (const auto device = board::find_uio(tree, board::overlay_uio_name); !device)
@@ -62,7 +62,7 @@ void print_unbound(const std::vector<board::InterruptHolder>& holders)
         fmt::print("unbound {} from its driver: the interrupt is the overlay's now\n", names);
 }
 
-/// It is loaded all the same: the open tools make no others.
+/// Such a bitstream is loaded, because the open tools write no check sequences.
 void warn_of_unchecked(const board::LogicFiles& files)
 {
     const auto bitstream =
@@ -113,7 +113,8 @@ void print_row(const char* what, const std::string& text)
     fmt::print("{:<10} {}\n", what, text);
 }
 
-/// Who holds an interrupt of the overlay's; nothing is said of an overlay that cannot be read.
+/// Prints the devices that hold an interrupt of the overlay. Prints nothing if the overlay cannot
+/// be read.
 void print_holders(const KernelTree& tree, const std::string& overlay_name)
 {
     const auto overlay = drivers::read_file(overlay_name, board::largest_overlay);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Where subcommands put a picture: what drivers/user_file.hpp takes for an output.
+/// Writes the pictures of subcommands. The output is any that drivers/user_file.hpp accepts.
 #pragma once
 
 #include "base/result.hpp"
@@ -16,11 +16,11 @@ namespace raymarch::cli
 /// Adds --output, which is required. `path` lives as long as `command`.
 void add_picture_output_option(CLI::App& command, std::string& path);
 
-/// To be called before the work, not after it. Errors: those of pictures::format_of and
+/// Checks the path before the picture is drawn. Errors: those of pictures::format_of and
 /// drivers::check_output.
 [[nodiscard]] Result<void> check_picture_output(const std::string& path);
 
-/// In the format of the name's ending; `-` is PPM on standard output. Errors: those of
+/// The ending of the name gives the format; `-` is PPM on standard output. Errors: those of
 /// pictures::format_of, pictures::encode and drivers::write_output.
 [[nodiscard]] Result<void> write_picture(const engine::Image& image, const std::string& path);
 

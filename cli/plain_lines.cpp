@@ -23,7 +23,7 @@ class PlainLines final : public TypedLines
     Result<std::optional<std::string>> next() override
     {
         fmt::print("{}", prompt_);
-        static_cast<void>(std::fflush(stdout)); // main reports what could not be written
+        static_cast<void>(std::fflush(stdout)); // main reports an error
         for (std::size_t searched = 0;;) {
             if (const std::size_t end = bytes_.find('\n', searched); end != std::string::npos) {
                 std::string line = bytes_.substr(0, end);

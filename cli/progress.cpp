@@ -17,7 +17,7 @@ namespace
 
 constexpr std::chrono::milliseconds shortest_wait{100};
 constexpr unsigned widest_bar = 40;
-constexpr unsigned usual_columns = 80; ///< of a terminal that does not know
+constexpr unsigned usual_columns = 80; ///< for a terminal that does not report its width
 constexpr std::string_view clear_line = "\r\x1B[K";
 
 std::string as_text(std::chrono::seconds time)
@@ -35,7 +35,7 @@ unsigned terminal_columns()
                                                                              : usual_columns;
 }
 
-/// Past stdio, which a full terminal could make fail; what does not come out is not missed.
+/// Does not use stdio, because a full terminal would set its error flag. Lost text does no harm.
 void write_error(std::string_view text)
 {
     static_cast<void>(!::write(STDERR_FILENO, text.data(), text.size()));
@@ -85,7 +85,7 @@ void Progress::show(unsigned done)
     drawn_once_ = true;
     const auto left =
         done > 0 ? (now - start_) * (total_ - done) / done : std::chrono::nanoseconds::zero();
-    // One column less: some terminals begin a new line behind the last.
+    // The last column stays free, because some terminals begin a new line after it.
     const std::string line = progress_line(
         done, total_, unit_, std::chrono::ceil<std::chrono::seconds>(left), terminal_columns() - 1);
     write_error(std::string(clear_line) + line);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How far a long piece of work is: one line on standard error, drawn again and again.
+/// Shows the progress of long work in one line on standard error.
 #pragma once
 
 #include <chrono>
@@ -10,17 +10,17 @@
 namespace raymarch::cli
 {
 
-/// `[####      ]  4/10 frames  40 %  0:12 left`, at most `columns` characters; the bar takes what
-/// the rest leaves. `unit` is what is counted. The time is left out as long as nothing is done.
+/// Makes a line such as `[####      ] 4/10 frames  40 %  0:12 left` of at most `columns`
+/// characters; the bar takes the free space. `unit` is "frames", for example. The time is left out
+/// while nothing is done.
 [[nodiscard]] std::string progress_line(unsigned done, unsigned total, std::string_view unit,
                                         std::chrono::seconds left, unsigned columns);
 
-/// Silent where standard error is no terminal. The line is gone when this is.
+/// Prints nothing if standard error is not a terminal. The destructor removes the line.
 class Progress
 {
   public:
-    /// Shows that of `total` things, such as frames, none is done. What takes less time than
-    /// `quiet` is not shown at all.
+    /// Shows nothing during the time `quiet`.
     Progress(unsigned total, std::string_view unit, std::chrono::milliseconds quiet = {});
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;

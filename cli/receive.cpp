@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl receive`: the picture of an export, from an interface or a capture file.
+/// `raymarchctl receive`: assembles an exported picture from an interface or a capture file.
 #include "cli/grey_picture.hpp"
 #include "cli/picture_output.hpp"
 #include "cli/subcommands.hpp"
@@ -37,8 +37,8 @@ struct ReceiveOptions
     bool partial = false;
 };
 
-/// Up to the first whole picture, or to the end of the file. `cut` counts the damaged frames of
-/// which the capture kept only a part.
+/// Reads up to the first whole picture, or to the end of the file. `cut` counts the damaged frames
+/// of which the capture has only a part.
 Result<void> take_capture(PictureAssembler& assembler, const std::string& path, std::size_t& cut)
 {
     constexpr std::size_t most_bytes = 64 << 20;
@@ -60,16 +60,17 @@ Result<void> take_capture(PictureAssembler& assembler, const std::string& path, 
     return {};
 }
 
-/// Up to the first whole picture, or until the time is over.
+/// Reads up to the first whole picture, or until the timeout.
 Result<void> take_from(PictureAssembler& assembler, drivers::FramePort& port,
                        std::chrono::milliseconds timeout)
 {
     using Clock = std::chrono::steady_clock;
     const auto deadline = Clock::now() + timeout;
-    std::array<std::uint8_t, 2048> frame{}; // longer than any of ours: a cut one is not mistaken
+    std::array<std::uint8_t, 2048>
+        frame{}; // longer than our frames, so that a longer frame is detected
     while (!assembler.settled()) {
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
-        if (left.count() <= 0) // also while foreign frames keep coming
+        if (left.count() <= 0) // other frames may come without end
             break;
         const auto size = port.receive(frame, left);
         if (!size)
@@ -92,7 +93,7 @@ Result<void> take_picture(PictureAssembler& assembler, const ReceiveOptions& opt
     return take_from(assembler, **port, std::chrono::ceil<std::chrono::milliseconds>(seconds));
 }
 
-/// `3, 17-20, 299`
+/// Writes `3, 17-20, 299`.
 std::string as_ranges(const std::vector<std::size_t>& rising)
 {
     std::string text;
@@ -116,9 +117,8 @@ Error incomplete(const PictureAssembler& assembler, const ReceiveOptions& option
         from_file ? drivers::input_name(options.capture)
                   : fmt::format("{}: within {} seconds", options.interface, options.seconds);
     text += missing.size() == protocol::export_size.height
-                ? std::string(": no row of a picture")
-                : fmt::format(": missing of the picture: row{} {}", missing.size() == 1 ? "" : "s",
-                              as_ranges(missing));
+                ? std::string(": no row of a picture came")
+                : fmt::format(": missing rows of the picture: {}", as_ranges(missing));
     if (const std::size_t damaged = assembler.count(FrameFate::Damaged); damaged > 0)
         text += fmt::format("; damaged frames: {}", damaged);
     if (cut > 0)
@@ -128,7 +128,7 @@ Error incomplete(const PictureAssembler& assembler, const ReceiveOptions& option
     return plain_error(from_file ? ErrorKind::BadData : ErrorKind::InputOutput, std::move(text));
 }
 
-/// A whole picture came by a way that should be looked at.
+/// Warns of problems although the picture is complete.
 void print_notes(const PictureAssembler& assembler)
 {
     const std::size_t damaged = assembler.count(FrameFate::Damaged);
@@ -136,7 +136,7 @@ void print_notes(const PictureAssembler& assembler)
     if (damaged > 0 || doubled > 0)
         fmt::print(stderr, "raymarchctl: damaged frames: {}, doubled rows: {}\n", damaged, doubled);
     if (!assembler.settled())
-        fmt::print(stderr, "raymarchctl: rows that came before the start frame may be of an "
+        fmt::print(stderr, "raymarchctl: rows that came before the start frame may belong to an "
                            "earlier picture\n");
 }
 
@@ -162,8 +162,8 @@ Result<void> receive(const ReceiveOptions& options)
 
 void add_receive(CLI::App& app, Run& run)
 {
-    CLI::App* const command = app.add_subcommand(
-        "receive", "puts the picture of an export together from its Ethernet frames");
+    CLI::App* const command =
+        app.add_subcommand("receive", "assembles an exported picture from its Ethernet frames");
     const auto options = std::make_shared<ReceiveOptions>();
     CLI::Option_group* const where = command->add_option_group("input of the frames");
     CLI::Option* const interface =
@@ -183,7 +183,7 @@ void add_receive(CLI::App& app, Run& run)
         ->needs(interface);
     command->add_flag(
         "--partial", options->partial,
-        "write an incomplete picture, too, with the missing rows black; it is still an error");
+        "also write an incomplete picture, with the missing rows black; it is still an error");
     command->callback([options, &run] {
         run = [options] {
             const auto result = receive(*options);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl render`: the picture that the accelerator draws for a frame, words or a preset.
+/// `raymarchctl render`: draws the accelerator's picture of a view.
 #include "cli/drawing.hpp"
 #include "cli/picture_output.hpp"
 #include "cli/subcommands.hpp"
@@ -30,7 +30,7 @@ struct RenderOptions
     std::string output;
 };
 
-/// The part of a picture of that size that is asked for.
+/// Returns the part of the picture that --tile names.
 Result<protocol::Tile> tile_of(const RenderOptions& options, protocol::PictureSize size)
 {
     if (!options.tile)

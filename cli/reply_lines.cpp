@@ -21,7 +21,7 @@ bool begins_with_word(std::string_view line, std::string_view word) noexcept
     return line.empty() || line.front() == ' ' || line.front() == '*';
 }
 
-std::string_view without_blanks_behind(std::string_view line) noexcept
+std::string_view without_trailing_blanks(std::string_view line) noexcept
 {
     while (!line.empty() && protocol::is_blank(line.back()))
         line.remove_suffix(1);
@@ -49,7 +49,7 @@ std::size_t replies_due(std::string_view bytes) noexcept
 {
     std::size_t due = 0;
     while (!bytes.empty()) {
-        // The LF of CR LF ends an empty line here, which changes nothing: that is not answered.
+        // The LF of CR LF ends an empty line here, which has no reply.
         const std::string_view line = bytes.substr(0, bytes.find_first_of("\r\n"));
         due += protocol::is_answered(line) ? 1 : 0;
         bytes.remove_prefix(line.size() < bytes.size() ? line.size() + 1 : line.size());
@@ -64,7 +64,7 @@ std::string with_mark(std::string_view line)
 
 bool has_mark(std::string_view line) noexcept
 {
-    line = without_blanks_behind(line);
+    line = without_trailing_blanks(line);
     return line.size() >= mark_length && line[line.size() - mark_length] == '*';
 }
 
@@ -72,7 +72,7 @@ bool has_right_mark(std::string_view line) noexcept
 {
     if (!has_mark(line))
         return false;
-    line = without_blanks_behind(line);
+    line = without_trailing_blanks(line);
     const auto high = protocol::hex_value(line[line.size() - 2]);
     const auto low = protocol::hex_value(line[line.size() - 1]);
     line.remove_suffix(mark_length);
@@ -83,7 +83,7 @@ std::string_view without_mark(std::string_view line) noexcept
 {
     if (!has_right_mark(line))
         return line;
-    line = without_blanks_behind(line);
+    line = without_trailing_blanks(line);
     return line.substr(0, line.size() - mark_length);
 }
 

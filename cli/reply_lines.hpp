@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The host's view of lines and replies: which line is a reply, and how many are due.
+/// Tells for the host which line is a reply, and how many replies are due.
 #pragma once
 
 #include <cstddef>
@@ -10,32 +10,31 @@
 namespace raymarch::cli
 {
 
-/// Whether this line ends a reply: `OK` or `ERR CODE`, with or without more words or a mark.
+/// Returns whether a line is the last line of a reply, `OK` or `ERR`, with or without more words.
 [[nodiscard]] bool ends_reply(std::string_view line) noexcept;
 
-/// Whether this line belongs to a reply: one that ends it, or one that begins with `#`.
+/// Returns whether a line belongs to a reply: it is the last line, or begins with `#`.
 [[nodiscard]] bool is_reply(std::string_view line) noexcept;
 
-/// Whether a reply is an ERR.
 [[nodiscard]] bool is_err(std::string_view reply) noexcept;
 
-/// How many replies are due for these bytes and the LF that will follow them. LF, CR and CR LF end
-/// a line; blank lines and lines that look like replies are not answered.
+/// Returns how many replies are due for these bytes and an LF after them. LF, CR and CR LF end a
+/// line. Blank lines and lines that look like replies have no reply.
 [[nodiscard]] std::size_t replies_due(std::string_view bytes) noexcept;
 
-/// The line with its checksum mark, `*HH`, behind it.
+/// Appends the checksum mark `*HH` to the line.
 [[nodiscard]] std::string with_mark(std::string_view line);
 
-/// Whether a line ends in a mark, right or wrong; blanks behind it do not count.
+/// Returns whether a line ends in a mark, valid or not; trailing blanks are ignored.
 [[nodiscard]] bool has_mark(std::string_view line) noexcept;
 
-/// Whether a line ends in a mark that fits it.
+/// Returns whether a line ends in a valid mark.
 [[nodiscard]] bool has_right_mark(std::string_view line) noexcept;
 
-/// The line without the mark at its end, where there is one that fits.
+/// Removes a valid mark at the end of a line.
 [[nodiscard]] std::string_view without_mark(std::string_view line) noexcept;
 
-/// Bytes as a person can read them in one line; a long line is cut.
+/// Makes bytes readable for a message; a long line is cut.
 [[nodiscard]] std::string visible(std::string_view bytes);
 
 } // namespace raymarch::cli

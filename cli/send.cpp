@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl send`: lines to the service, replies to standard output.
+/// `raymarchctl send`: sends lines to the service and prints the replies.
 #include "cli/connection.hpp"
 #include "cli/subcommands.hpp"
 #include "cli/texts.hpp"
@@ -27,7 +27,7 @@ int send(const SendOptions& options)
 {
     for (const std::string& line : options.lines)
         if (line.find('\n') != std::string::npos)
-            return report(plain_error(ErrorKind::Usage, "one line an argument"));
+            return report(plain_error(ErrorKind::Usage, "each argument must be one line"));
     auto connection = Connection::open(options.endpoint);
     if (!connection)
         return report(connection.error());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl sheet`: many views on one contact sheet.
+/// `raymarchctl sheet`: draws many views on one contact sheet.
 #include "pictures/sheet.hpp"
 #include "cli/drawing.hpp"
 #include "cli/picture_output.hpp"
@@ -33,7 +33,7 @@ struct SheetOptions
     std::string output;
 };
 
-/// `NAME:PRESET`, or `NAME` for the defaults.
+/// `view` is `NAME:PRESET`, or `NAME` for the defaults.
 Result<pictures::SheetEntry> draw_view(const std::string& view, unsigned threads)
 {
     ViewOptions options;
@@ -54,8 +54,8 @@ Result<pictures::SheetEntry> draw_view(const std::string& view, unsigned threads
     return entry;
 }
 
-/// What is asked for: the views named, else all presets of the accelerator named, else the defaults
-/// of every accelerator.
+/// Returns the named views, else all presets of the named accelerator, else the defaults of every
+/// accelerator.
 Result<std::vector<std::string>> views_of(const SheetOptions& options)
 {
     if (!options.views.empty())
@@ -104,7 +104,7 @@ void add_sheet(CLI::App& app, Run& run)
                   "defaults; without any, the defaults of every accelerator");
     command
         ->add_option("--accelerator", options->accelerator,
-                     "name of an accelerator whose presets are all drawn, in place of views")
+                     "name of an accelerator; all its presets are drawn in place of views")
         ->type_name("NAME")
         ->excludes(views);
     command

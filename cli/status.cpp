@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl status` and `watch`: what the service says of itself, once or as it changes.
+/// `raymarchctl status` and `watch`: print the state of the service, once or when it changes.
 #include "cli/connection.hpp"
 #include "cli/subcommands.hpp"
 
@@ -28,7 +28,7 @@ namespace
 
 using Fields = std::vector<std::pair<std::string, std::string>>;
 
-/// `OK key=value key=value` or `OK KEY=VALUE,KEY=VALUE` to pairs.
+/// Splits `OK key=value key=value` or `OK KEY=VALUE,KEY=VALUE` into pairs.
 Fields fields_of(std::string reply)
 {
     for (char& c : reply)
@@ -43,7 +43,7 @@ Fields fields_of(std::string reply)
     return fields;
 }
 
-/// Errors: InputOutput, also for an ERR and for a reply without fields.
+/// Errors: InputOutput, also for an ERR or a reply without fields.
 Result<Fields> ask_fields(Connection& connection, const char* command)
 {
     const auto reply = connection.request(command);
@@ -58,7 +58,7 @@ Result<Fields> ask_fields(Connection& connection, const char* command)
     return fields;
 }
 
-/// Numbers as numbers, everything else as text.
+/// Numbers become JSON numbers, all other values become strings.
 nlohmann::json json_of(const Fields& fields)
 {
     nlohmann::json object = nlohmann::json::object();
@@ -99,8 +99,8 @@ struct WatchOptions
     unsigned count = 0;
 };
 
-/// These move all the time; a change of them alone is no news.
-bool always_moves(std::string_view key)
+/// These fields change all the time, so their changes are not printed.
+bool always_changes(std::string_view key)
 {
     return key == "uptime" || key == "fps";
 }
@@ -109,24 +109,26 @@ std::string changes(const Fields& before, const Fields& now)
 {
     std::string text;
     for (const auto& field : now)
-        if (!always_moves(field.first) &&
+        if (!always_changes(field.first) &&
             std::find(before.begin(), before.end(), field) == before.end())
             text += fmt::format(" {}={}", field.first, field.second);
     return text;
 }
 
-/// Waits; false when nobody reads standard output any longer, or a signal came.
+/// Waits. Returns false if the reader closed standard output, or if a signal came.
 bool pause_for(double seconds, Connection& connection)
 {
     std::array<pollfd, 2> waiting = {
-        pollfd{.fd = STDOUT_FILENO, .events = 0, .revents = 0}, // an error of a pipe is reported
+        pollfd{.fd = STDOUT_FILENO,
+               .events = 0,
+               .revents = 0}, // poll() always reports an error of a pipe
         pollfd{.fd = connection.stop_fd(), .events = POLLIN, .revents = 0},
     };
     return ::poll(waiting.data(), waiting.size(), static_cast<int>(seconds * 1000)) <= 0;
 }
 
 /// Errors: InputOutput.
-Result<Fields> look(Connection& connection)
+Result<Fields> poll_service(Connection& connection)
 {
     auto fields = ask_fields(connection, "STATUS");
     if (!fields)
@@ -147,13 +149,13 @@ int watch(const WatchOptions& options)
     for (unsigned i = 0; options.count == 0 || i < options.count; ++i) {
         if (i > 0 && !pause_for(options.seconds, *connection))
             break;
-        auto now = look(*connection);
+        auto now = poll_service(*connection);
         if (!now)
             return report(*connection, now.error());
         if (const std::string news = changes(before, *now); !news.empty()) {
             fmt::print("{:%H:%M:%S}{}\n", fmt::localtime(std::time(nullptr)), news);
             if (std::fflush(stdout) != 0)
-                break; // main says so, unless it is a pipe that was closed
+                break; // main reports the error, unless the reader closed the pipe
         }
         before = std::move(*now);
     }
@@ -180,12 +182,12 @@ void add_watch(CLI::App& app, Run& run)
     add_endpoint_options(*command, options->endpoint);
     command
         ->add_option("--interval", options->seconds,
-                     "time between two looks at the service, in seconds (default: 1)")
+                     "time between two polls of the service, in seconds (default: 1)")
         ->check(CLI::Range(0.01, 3600.0))
         ->type_name("SECONDS");
     command
         ->add_option("--count", options->count,
-                     "number of looks before the end; 0, the default, is no end")
+                     "number of polls of the service; 0, the default, means no limit")
         ->type_name("N");
     command->callback([options, &run] { run = [options] { return watch(*options); }; });
 }

@@ -13,7 +13,7 @@ StopSignals::StopSignals()
     sigemptyset(&signals);
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction action = {};
-        // What nohup has set to be ignored is left alone: a blocked signal would be seen even then.
+        // A signal that nohup ignores stays ignored: a signalfd would report it if it were blocked.
         if (sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN)
             sigaddset(&signals, number);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Ctrl-C as something that poll() sees, so that a wait ends and everything is put back.
+/// Makes Ctrl-C visible to poll(), so that a wait ends and the terminal can be restored.
 #pragma once
 
 #include "base/unique_fd.hpp"
@@ -10,9 +10,9 @@
 namespace raymarch::cli
 {
 
-/// As long as it is there, SIGINT, SIGTERM and SIGHUP do not end the program but make `fd()`
-/// readable; those that are ignored stay so. A pipe that nobody reads any longer is an error of the
-/// write (EPIPE) and no signal. The program must have one thread when it is made.
+/// While it exists, SIGINT, SIGTERM and SIGHUP do not end the program but make `fd()` readable.
+/// Ignored signals stay ignored. A write to a closed pipe returns EPIPE and raises no signal. The
+/// program must have only one thread when the object is made.
 class StopSignals
 {
   public:
@@ -23,7 +23,7 @@ class StopSignals
 
     [[nodiscard]] int fd() const noexcept { return fd_.get(); }
 
-    /// The signal that came, which is then forgotten; 0 where none came.
+    /// Takes the signal that came. Returns 0 if there is none.
     [[nodiscard]] int take() const noexcept;
 
   private:
@@ -32,7 +32,7 @@ class StopSignals
     UniqueFd fd_;
 };
 
-/// A shell says of a program that a signal ended: 128 and the signal's number.
+/// The exit status for a signal is 128 plus its number, as in a shell.
 inline constexpr int status_of_signal = 128;
 
 } // namespace raymarch::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The subcommands of raymarchctl; one file each.
+/// The subcommands of raymarchctl. Each has its own file.
 #pragma once
 
 #include "base/result.hpp"
@@ -12,7 +12,7 @@
 namespace raymarch::cli
 {
 
-/// What the chosen subcommand does; its result is the exit status.
+/// Runs the chosen subcommand and returns the exit status.
 using Run = std::function<int()>;
 
 void add_encode(CLI::App& app, Run& run);
@@ -32,10 +32,10 @@ void add_watch(CLI::App& app, Run& run);
 void add_conformance(CLI::App& app, Run& run);
 void add_overlay(CLI::App& app, Run& run);
 
-/// An ERR reply came.
+/// The exit status after an ERR reply.
 inline constexpr int status_err_reply = 1;
 
-/// Prints the error on standard error and gives its exit status.
+/// Prints the error on standard error and returns its exit status.
 int report(const Error& error);
 
 } // namespace raymarch::cli

@@ -8,7 +8,7 @@ namespace raymarch::cli
 namespace
 {
 
-/// CLI11's own number for it, which its help shows as dots.
+/// CLI11 uses this number, and shows it as dots in the help text.
 constexpr int any_number = 1 << 29;
 
 } // namespace
@@ -20,12 +20,12 @@ CLI::Option* add_texts(CLI::App& command, const std::string& name, std::vector<s
     *option = command.add_option(
         name,
         [option, &texts](const CLI::results_t& /*read as a list*/) {
-            texts = (*option)->results(); // as they were typed
+            texts = (*option)->results(); // the unchanged arguments
             return true;
         },
         meaning);
-    // A positional argument takes further texts up to its least number, or where CLI11 may split
-    // them, which is not wanted here. TakeAll has it not count them afterwards.
+    // A positional argument takes all texts only if their least number is large, or if CLI11 may
+    // split them. With TakeAll, CLI11 does not check the number afterwards.
     const bool positional = !name.starts_with('-');
     return (*option)
         ->type_name("TEXT")

@@ -8,17 +8,17 @@ namespace raymarch::cli
 namespace
 {
 
-/// The byte b is the character private_area + b: these are in the last private area of Unicode.
+/// The byte b becomes the character private_area + b, in the last private use area of Unicode.
 constexpr char32_t private_area = 0x10F000;
-constexpr std::size_t private_size = 4; ///< of each, in UTF-8
+constexpr std::size_t private_size = 4; ///< the bytes of such a character in UTF-8
 
-/// What the first byte of a character says of it.
+/// The first byte of a character tells how many bytes it has.
 struct Form
 {
-    unsigned char mask;  ///< of the bits that tell the form
-    unsigned char value; ///< of these bits
+    unsigned char mask;  ///< selects the bits that tell the form
+    unsigned char value; ///< the value of these bits
     std::size_t size;
-    char32_t smallest; ///< a smaller code has a shorter form, and this one is not allowed for it
+    char32_t smallest; ///< a smaller code must use a shorter form
 };
 constexpr std::array forms = {
     Form{0x80, 0x00, 1, 0},
@@ -37,7 +37,7 @@ constexpr bool is_private(char32_t code) noexcept
     return code >= private_area && code <= private_area + 0xFF;
 }
 
-/// Characters that the editor takes for what they are. It reads 0x80 to 0x9F as commands.
+/// Returns whether the editor keeps the character. It treats 0x80 to 0x9F as commands.
 constexpr bool is_kept(char32_t code) noexcept
 {
     const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
@@ -45,8 +45,8 @@ constexpr bool is_kept(char32_t code) noexcept
            (code < 0x80 || code > 0x9F);
 }
 
-/// A whole character, whatever its code; of size 0 where one only begins, and of code 0 where there
-/// is none.
+/// Decodes the first character. Its size is 0 if it is incomplete, and its code is 0 if the bytes
+/// are not UTF-8.
 TypedCharacter decode(std::string_view bytes) noexcept
 {
     for (const Form& form : forms) {

@@ -19,20 +19,20 @@ namespace raymarch::cli
 namespace
 {
 
-/// The name that a fault in `line` may be a slip of, as an error says it.
-std::string meant(const protocol::Accelerator& accelerator, const protocol::Fault& fault,
-                  std::string_view line)
+/// Suggests the name that was meant if the fault in `line` is a mistyped name.
+std::string suggestion_for(const protocol::Accelerator& accelerator, const protocol::Fault& fault,
+                           std::string_view line)
 {
     if (fault.code == protocol::ErrorCode::UnknownKey)
-        return meant_instead(fault.word, key_names(accelerator));
+        return suggestion(fault.word, key_names(accelerator));
     if (fault.code != protocol::ErrorCode::Object || !fault.parameter || fault.column == 0)
         return {};
     const std::string_view value = line.substr(std::min(fault.column - 1, line.size()));
-    return meant_instead(protocol::Text{value.substr(0, value.find(','))}.trimmed().bytes,
-                         choice_names(accelerator.parameters[*fault.parameter]));
+    return suggestion(protocol::Text{value.substr(0, value.find(','))}.trimmed().bytes,
+                      choice_names(accelerator.parameters[*fault.parameter]));
 }
 
-/// The reply of the service, and what may have been meant.
+/// Makes the error from the reply of the service and a suggestion.
 Error refused(const protocol::Accelerator& accelerator, const protocol::Fault& fault,
               std::string_view line)
 {
@@ -40,7 +40,8 @@ Error refused(const protocol::Accelerator& accelerator, const protocol::Fault& f
     protocol::write_fault(reply, accelerator, fault);
     std::string_view text = reply.text();
     text.remove_suffix(2);
-    return plain_error(ErrorKind::BadData, std::string(text) + meant(accelerator, fault, line));
+    return plain_error(ErrorKind::BadData,
+                       std::string(text) + suggestion_for(accelerator, fault, line));
 }
 
 Result<protocol::State> state_of_line(const protocol::Accelerator& accelerator,
@@ -61,7 +62,7 @@ Result<protocol::State> state_of_line(const protocol::Accelerator& accelerator,
     return state;
 }
 
-/// `state`, changed by `settings` in the syntax of SET.
+/// Applies `settings`, in the syntax of SET, to `state`.
 Result<protocol::State> changed(const protocol::Accelerator& accelerator, protocol::State state,
                                 std::string_view settings)
 {
@@ -91,7 +92,7 @@ Result<protocol::State> state_of_preset(const protocol::Accelerator& accelerator
     return fail(unknown_name("preset", name, preset_names(accelerator)));
 }
 
-/// The defaults in that scene.
+/// Returns the defaults with another scene.
 Result<protocol::State> state_of_scene(const protocol::Accelerator& accelerator,
                                        const std::string& name)
 {
@@ -173,7 +174,7 @@ Result<protocol::State> state_of(const protocol::Accelerator& accelerator,
 Result<protocol::Words> words_of(const protocol::Accelerator& accelerator,
                                  const ViewOptions& options)
 {
-    // Not through a state: the words as they were given, bits that no parameter owns among them.
+    // A state would lose the bits of words that belong to no parameter.
     if (!options.words.empty())
         return parse_words(accelerator, options.words);
     const auto state = state_of(accelerator, options);

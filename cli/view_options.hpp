@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What is looked at: the options that every subcommand with a picture of its own has.
+/// The options of all subcommands that draw a view.
 #pragma once
 
 #include "base/result.hpp"
@@ -18,8 +18,8 @@
 namespace raymarch::cli
 {
 
-/// At most one of line, words, preset and scene is given; none: the defaults. Settings change what
-/// is given, but for words.
+/// At most one of line, words, preset and scene is given; otherwise the view has the defaults. The
+/// settings change the view, but cannot change words.
 struct ViewOptions
 {
     std::string accelerator{protocol::default_accelerator.name};
@@ -31,18 +31,18 @@ struct ViewOptions
     std::optional<std::string> size;
 };
 
-/// --accelerator, --size, and the group "what to draw", which it returns. The accelerator that
-/// `options` name now is the default. `options` lives as long as `command`.
+/// Adds --accelerator, --size and the group "what to draw", and returns the group. The accelerator
+/// in `options` is the default. `options` lives as long as `command`.
 CLI::Option_group& add_view_options(CLI::App& command, ViewOptions& options);
 
-/// Changes `state` as SET does. Errors: BadData with the reply of the service.
+/// Changes `state` as SET does. Errors: BadData, with the reply that the service would give.
 [[nodiscard]] Result<void> change(const protocol::Accelerator& accelerator,
                                   std::string_view settings, protocol::State& state);
 
-// Of the accelerator that `options` name, see accelerator_named. Errors: Usage; BadData with the
-// reply of the service to a bad frame or bad changes.
+// `accelerator` is the one that `options` name. Errors: Usage; BadData, with the reply that the
+// service would give to the frame or the changes.
 
-/// What registers do not hold is at its default where register words are given.
+/// With register words, a parameter that they do not hold has its default.
 [[nodiscard]] Result<protocol::State> state_of(const protocol::Accelerator& accelerator,
                                                const ViewOptions& options);
 [[nodiscard]] Result<protocol::Words> words_of(const protocol::Accelerator& accelerator,

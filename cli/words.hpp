@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Register words and accelerators as a command line names them.
+/// Reads register words and accelerators on a command line.
 #pragma once
 
 #include "base/result.hpp"
@@ -15,15 +15,15 @@
 namespace raymarch::cli
 {
 
-/// `01804028` or `0x1804028`, as many as the accelerator has. Errors: Usage.
+/// Reads all words of the accelerator, such as `01804028` or `0x1804028`. Errors: Usage.
 [[nodiscard]] Result<protocol::Words> parse_words(const protocol::Accelerator& accelerator,
                                                   const std::vector<std::string>& texts);
 
-/// Adds `--accelerator NAME`, which goes to `name`. What is in `name`
-/// is the default; where nothing is, the default accelerator.
+/// Adds `--accelerator NAME`. The value of `name` is the default, or, if it is empty, the default
+/// accelerator.
 void add_accelerator_option(CLI::App& command, std::string& name, const std::string& meaning);
 
-/// By name. Errors: Usage, naming what there is.
+/// Errors: Usage.
 [[nodiscard]] Result<const protocol::Accelerator*> accelerator_named(const std::string& name);
 
 } // namespace raymarch::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl zoom`: deep views of the Mandelbulb at a point of its surface, as frames or as
-/// pictures on one sheet.
+/// `raymarchctl zoom`: prints or draws deep views of the Mandelbulb at a point of its surface.
 #include "cli/drawing.hpp"
 #include "cli/picture_output.hpp"
 #include "cli/progress.hpp"
@@ -46,7 +45,7 @@ struct ZoomOptions
     std::string output;
 };
 
-/// The view that is zoomed into.
+/// Returns the view that is zoomed into.
 Result<protocol::State> whole_view(const ZoomOptions& options)
 {
     ViewOptions view;
@@ -55,7 +54,7 @@ Result<protocol::State> whole_view(const ZoomOptions& options)
     return state_of(table::description, view);
 }
 
-/// The view of the pixel's point at a level.
+/// Returns the view at the pixel's surface point, at a zoom level.
 Result<protocol::State> state_at(const protocol::State& from, const ZoomOptions& options, int level)
 {
     if (const auto near =
@@ -79,7 +78,7 @@ Result<void> zoom(const ZoomOptions& options)
                                             table::description.max_size.height)));
     if (options.pixel[0] >= table::description.size.width ||
         options.pixel[1] >= table::description.size.height)
-        return fail(plain_error(ErrorKind::Usage, fmt::format("the pixel is one of {}x{}",
+        return fail(plain_error(ErrorKind::Usage, fmt::format("--pixel must be inside {}x{}",
                                                               table::description.size.width,
                                                               table::description.size.height)));
     const auto whole = whole_view(options);

@@ -60,9 +60,9 @@ std::string unknown_subcommand(const CLI::App& app, std::string_view word)
     std::vector<std::string_view> names;
     for (const CLI::App* child : children(app, false))
         names.emplace_back(child->get_name());
-    return fmt::format(
-        "{0}: '{1}' is no subcommand; there are {2}{3}\nRun {0} --help for a list.\n", called(app),
-        word, fmt::join(names, ", "), did_you_mean(word, names));
+    return fmt::format("{0}: there is no subcommand '{1}'; the subcommands are {2}{3}\nRun {0} "
+                       "--help for a list.\n",
+                       called(app), word, fmt::join(names, ", "), did_you_mean(word, names));
 }
 
 /// Returns what is wrong with the first word that is no option, or no subcommand, of `app`.

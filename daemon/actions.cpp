@@ -17,30 +17,30 @@ constexpr Press orbit_left = [](Controller& controller) { controller.orbit(Side:
 constexpr Press orbit_right = [](Controller& controller) { controller.orbit(Side::Right); };
 
 template <std::size_t Channel>
-constexpr Show colour = [](const Glance& now) noexcept { return now.colour[Channel]; };
-constexpr Show dark = [](const Glance& /*now*/) noexcept { return false; };
+constexpr Show colour = [](const PanelStatus& now) noexcept { return now.colour[Channel]; };
+constexpr Show dark = [](const PanelStatus& /*now*/) noexcept { return false; };
 
 using enum ActionKind;
 
-// Laid out by hand: one row an action.
+// The table is formatted by hand: each action has one row.
 // clang-format off
 constexpr std::array table = {
-    Action{"reset",        Button, "btn0",   "BTN0",       "back to the defaults", Press([](Controller& controller) { controller.to_defaults(); })},
-    Action{"next_scene",   Button, "btn1",   "BTN1",       "the next scene; of an accelerator that has one scene, the next preset", Press([](Controller& controller) { controller.to_next_scene(); })},
+    Action{"reset",        Button, "btn0",   "BTN0",       "resets all parameters to their defaults", Press([](Controller& controller) { controller.to_defaults(); })},
+    Action{"next_scene",   Button, "btn1",   "BTN1",       "shows the next scene, or the next preset if the accelerator has only one scene", Press([](Controller& controller) { controller.to_next_scene(); })},
     Action{"orbit_left",   Button, "btn2",   "BTN2",       "turns the camera to the left while it is held, gpio_orbit_rate steps a second", Repeat{&Gpio::orbit_rate, orbit_left}},
-    Action{"orbit_right",  Button, "btn3",   "BTN3",       "the same to the right", Repeat{&Gpio::orbit_rate, orbit_right}},
-    Action{"lock",         Switch, "sw0",    "SW0",        "locks: hosts get ERR LOCKED for lines that would write; reading goes on, and so do the buttons", lock},
-    Action{"turn",         Switch, "sw1",    "SW1",        "turns the camera slowly by itself, gpio_turn_rate steps a second", Repeat{&Gpio::turn_rate, orbit_right}},
-    Action{"heartbeat",    Led,    "led0",   "LD0",        "beats twice a second while the service runs", Show([](const Glance& now) noexcept { return drivers::heartbeat(now.uptime); })},
-    Action{"accepted",     Led,    "led1",   "LD1",        "blinks when a frame, or another line that writes, has been taken", Show([](const Glance& now) noexcept { return now.accepted; })},
-    Action{"refused",      Led,    "led2",   "LD2",        "lit while the last frame was refused, or the hardware is absent or at fault", Show([](const Glance& now) noexcept { return now.refused || now.hardware.fault; })},
-    Action{"running",      Led,    "led3",   "LD3",        "lit while the accelerator draws; one that does not tell: while it is there", Show([](const Glance& now) noexcept { return now.hardware.running; })},
-    Action{"colour_red",   Led,    "led4_r", "LD4, red",   "lit while the red of the colour set is in the upper half of its range", colour<0>},
-    Action{"colour_green", Led,    "led4_g", "LD4, green", "the same of green", colour<1>},
-    Action{"colour_blue",  Led,    "led4_b", "LD4, blue",  "the same of blue", colour<2>},
-    Action{"dark_red",     Led,    "led5_r", "LD5, red",   "never lit", dark},
-    Action{"dark_green",   Led,    "led5_g", "LD5, green", "never lit", dark},
-    Action{"dark_blue",    Led,    "led5_b", "LD5, blue",  "never lit", dark},
+    Action{"orbit_right",  Button, "btn3",   "BTN3",       "turns the camera to the right while it is held, gpio_orbit_rate steps a second", Repeat{&Gpio::orbit_rate, orbit_right}},
+    Action{"lock",         Switch, "sw0",    "SW0",        "locks the parameters: hosts get ERR LOCKED for lines that would write; they can still read, and the buttons still work", lock},
+    Action{"turn",         Switch, "sw1",    "SW1",        "turns the camera by itself, gpio_turn_rate steps a second", Repeat{&Gpio::turn_rate, orbit_right}},
+    Action{"heartbeat",    Led,    "led0",   "LD0",        "beats twice a second while the service runs", Show([](const PanelStatus& now) noexcept { return drivers::heartbeat(now.uptime); })},
+    Action{"accepted",     Led,    "led1",   "LD1",        "blinks when a frame or another line that writes was accepted", Show([](const PanelStatus& now) noexcept { return now.accepted; })},
+    Action{"refused",      Led,    "led2",   "LD2",        "is lit while the last frame was refused, or while the hardware is absent or faulty", Show([](const PanelStatus& now) noexcept { return now.refused || now.hardware.fault; })},
+    Action{"running",      Led,    "led3",   "LD3",        "is lit while the accelerator draws, or, if it does not report that, while it is present", Show([](const PanelStatus& now) noexcept { return now.hardware.running; })},
+    Action{"colour_red",   Led,    "led4_r", "LD4, red",   "is lit while red of the set colour is in the upper half of its range", colour<0>},
+    Action{"colour_green", Led,    "led4_g", "LD4, green", "is lit while green of the set colour is in the upper half of its range", colour<1>},
+    Action{"colour_blue",  Led,    "led4_b", "LD4, blue",  "is lit while blue of the set colour is in the upper half of its range", colour<2>},
+    Action{"dark_red",     Led,    "led5_r", "LD5, red",   "is never lit", dark},
+    Action{"dark_green",   Led,    "led5_g", "LD5, green", "is never lit", dark},
+    Action{"dark_blue",    Led,    "led5_b", "LD5, blue",  "is never lit", dark},
 };
 // clang-format on
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// TABLE: what buttons and switches do and what LEDs show. The keys of the configuration, their
-/// errors, the documents and the panel are made from it.
+/// TABLE: the actions of buttons, switches and LEDs. The configuration keys, their errors and the
+/// documents are made from it.
 #pragma once
 
 #include "daemon/config.hpp"
@@ -17,12 +17,12 @@
 namespace raymarch::daemon
 {
 
-/// What an LED may show, as it is at one moment.
-struct Glance
+/// The state that LEDs can show.
+struct PanelStatus
 {
     std::chrono::milliseconds uptime{};
-    bool accepted = false; ///< blinks with each frame that is taken
-    bool refused = false;  ///< the last frame was
+    bool accepted = false; ///< blinks with each accepted frame
+    bool refused = false;  ///< the last frame was refused
     Health hardware;
     std::array<bool, 3> colour{}; ///< red, green, blue
 };
@@ -30,27 +30,27 @@ struct Glance
 enum class ActionKind : std::uint8_t { Button, Switch, Led };
 [[nodiscard]] std::string_view name_of(ActionKind kind) noexcept;
 
-/// Called when a level that counts comes.
+/// Called when a button is pressed.
 using Press = void (*)(Controller& controller);
-/// Called with each change, and with the level that is found at the start.
+/// Called with the level at the start and with each change.
 using Follow = void (*)(Controller& controller, bool on);
-/// Called while the level is on: at once, then so many times a second.
+/// `step` is called at once and then `rate` times a second while the level is on.
 struct Repeat
 {
     unsigned Gpio::*rate;
     Press step;
 };
-/// Whether the LED is lit.
-using Show = bool (*)(const Glance& glance) noexcept;
+/// Returns whether the LED is lit.
+using Show = bool (*)(const PanelStatus& status) noexcept;
 
 struct Action
 {
     std::string_view name; ///< its key in the configuration
     ActionKind kind;
-    std::string_view line;  ///< the default, as the configuration writes it
-    std::string_view place; ///< what that is on a PYNQ-Z1
+    std::string_view line;  ///< the default line in the configuration
+    std::string_view place; ///< the label of that line on a PYNQ-Z1
     std::string_view meaning;
-    std::variant<Press, Follow, Repeat, Show> behaviour; ///< Show for an LED, and only there
+    std::variant<Press, Follow, Repeat, Show> behaviour; ///< Show if and only if it is an LED
 };
 [[nodiscard]] std::span<const Action> actions() noexcept;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How long to wait before something that is missing is looked for again.
+/// The back-off between attempts to open something that is missing.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 namespace raymarch::daemon
 {
 
-/// 250 ms at first, twice as long each time, 30 s at most. Something that is found and lost again
-/// at once has not been worth the look: only what lasts takes the waiting back to its beginning.
+/// The delay starts at 250 ms, doubles each time, and is at most 30 s. It starts again only after
+/// something stayed open for the longest delay.
 class BackOff
 {
   public:
@@ -24,7 +24,6 @@ class BackOff
     }
     void reset() noexcept { delay_ = first; }
 
-    /// It was found; it was lost again.
     void opened(Clock::time_point now = Clock::now()) noexcept { opened_ = now; }
     void lost(Clock::time_point now = Clock::now()) noexcept
     {

@@ -14,13 +14,14 @@ namespace raymarch::daemon
 namespace
 {
 
-/// Edge-triggered: a pseudo-terminal without a host reports a hang-up all the time.
+/// The events are edge-triggered, because a pseudo-terminal without a host reports a hang-up all
+/// the time.
 constexpr std::uint32_t for_reading = EPOLLIN | EPOLLET;
 constexpr std::uint32_t for_both = for_reading | EPOLLOUT;
 
-/// A host that has taken nothing for so long, while replies wait, does not read. A tty tells of
-/// room in pieces of 256 bytes, and 1200 baud take 2.1 s for those.
-constexpr std::chrono::milliseconds patience{2500};
+/// After this time without progress the host counts as not reading. A tty reports room in pieces of
+/// 256 bytes, which take 2.1 s at 1200 baud.
+constexpr std::chrono::milliseconds send_timeout{2500};
 
 } // namespace
 
@@ -31,30 +32,30 @@ Endpoint::Endpoint(EventLoop& loop, Turns& turns, Rank rank,
     , session_(controller)
     , on_gone_(std::move(on_gone))
     , turn_(turns, rank, [this](const TurnIsOver& over) { return take_turn(over); })
-    , patience_(loop.add_timer([this] { patience_is_over(); }))
+    , send_timer_(loop.add_timer([this] { send_timed_out(); }))
     , source_(loop.add_io(port_->fd(), for_reading, [this](std::uint32_t) { turn_.ready(); }))
 {}
 
 bool Endpoint::take_turn(const TurnIsOver& turn_is_over)
 {
     if (session_.busy())
-        read_ahead(); // a host that has left gets no reply, and neither does the next one
-    send(); // room first: what was said earlier goes out before new replies need the queue
+        read_ahead(); // finds a hang-up, so that the next host does not get the reply
+    send();           // makes room in the queue for new replies
     for (;;) {
         switch (session_.step(input_, turn_is_over)) {
         case Step::Done:
             send();
             break;
         case Step::Hungry:
-            send(); // an echo, which has no line's end to wait for
+            send(); // an echo does not wait for the end of the line
             if (end_ == End::None ? !read() : !finish_input())
                 return false;
             break;
         case Step::Full:
-            start_patience(); // the last send() has left too little
+            start_send_timer(); // the last send() left too little room
             return false;
         case Step::Waits:
-            read_ahead(); // a UART goes on sending while a disk works
+            read_ahead(); // a UART goes on receiving while a disk works
             return false;
         }
         if (turn_is_over())
@@ -62,7 +63,7 @@ bool Endpoint::take_turn(const TurnIsOver& turn_is_over)
     }
 }
 
-/// Whether anything has come. Precondition: there is room in the buffer.
+/// Returns whether anything has come. Precondition: there is room in the buffer.
 bool Endpoint::read()
 {
     if (input_.data() != buffer_.data())
@@ -88,7 +89,7 @@ bool Endpoint::read()
     return false;
 }
 
-/// Takes what there is for the line after the one that is being worked on.
+/// Reads bytes of the next lines while the present line is not done.
 void Endpoint::read_ahead()
 {
     while (end_ == End::None && input_.size() < buffer_.size() && read()) {
@@ -108,55 +109,55 @@ bool Endpoint::has_gone() const
     return ::poll(&port, 1, 0) > 0 && (port.revents & (POLLHUP | POLLERR)) != 0;
 }
 
-/// Acts on the end, after every line before it. Returns whether there is more to do.
+/// Handles the end of the input after all lines before it. Returns whether there is more to do.
 bool Endpoint::finish_input()
 {
     if (end_ == End::HungUp) {
         session_.hang_up();
-        end_ = End::None; // the next host may have spoken already
+        end_ = End::None; // the next host may have sent something already
         return true;
     }
     if (session_.output().pending().empty())
         leave();
     else
-        start_patience(); // a host that has closed its sending side may still read
+        start_send_timer(); // a host that has closed its sending side may still read
     return false;
 }
 
 void Endpoint::send()
 {
     if (end_ == End::HungUp)
-        return; // whoever is there now has asked nothing
+        return; // the present host has asked nothing
     OutputQueue& output = session_.output();
     while (!output.pending().empty()) {
         const std::size_t sent = port_->write(output.pending());
         if (sent == 0)
             break;
         output.pop(sent);
-        sent_meanwhile_ = true;
+        progress_ = true;
         last_heard_ = std::chrono::steady_clock::now();
         session_.set_reads(true);
     }
     const bool wait = !output.pending().empty();
-    if (wait == watches_room_)
+    if (wait == waits_for_room_)
         return;
-    watches_room_ = wait;
+    waits_for_room_ = wait;
     source_->watch(wait ? for_both : for_reading);
 }
 
-void Endpoint::start_patience()
+void Endpoint::start_send_timer()
 {
-    if (measures_)
+    if (send_timer_runs_)
         return;
-    measures_ = true;
-    sent_meanwhile_ = false;
-    patience_->arm(patience);
+    send_timer_runs_ = true;
+    progress_ = false;
+    send_timer_->arm(send_timeout);
 }
 
-void Endpoint::patience_is_over()
+void Endpoint::send_timed_out()
 {
-    measures_ = false;
-    if (!sent_meanwhile_) {
+    send_timer_runs_ = false;
+    if (!progress_) {
         session_.set_reads(false);
         if (end_ == End::Gone)
             session_.drop_output();
@@ -166,7 +167,7 @@ void Endpoint::patience_is_over()
 
 void Endpoint::leave()
 {
-    const auto on_gone = std::move(on_gone_); // it may destroy this endpoint, and itself with it
+    const auto on_gone = std::move(on_gone_); // the call may destroy this endpoint
     on_gone(*this);
 }
 

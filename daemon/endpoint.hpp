@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A byte port in the event loop with the session on it, which does its work in turns.
+/// Connects a byte port and its session to the event loop. The session works in turns.
 #pragma once
 
 #include "daemon/event_loop.hpp"
@@ -21,30 +21,29 @@ namespace raymarch::daemon
 class Endpoint
 {
   public:
-    /// `on_gone` is called, from the loop, when the port is of no use any more; it may destroy the
-    /// endpoint.
+    /// The loop calls `on_gone` when the port cannot be used any more; it may destroy the endpoint.
     Endpoint(EventLoop& loop, Turns& turns, Rank rank, std::unique_ptr<drivers::BytePort> port,
              Controller& controller, std::function<void(Endpoint&)> on_gone);
 
-    /// A disk that a line waited for may be done.
+    /// Call this function when a disk that a line waits for may be done.
     void resume() { turn_.ready(); }
 
     [[nodiscard]] const Session& session() const noexcept { return session_; }
-    /// The host will not read what still waits.
+    /// Drops the replies that the host has not read.
     void drop_output() noexcept { session_.drop_output(); }
-    /// When the host sent bytes last, or took some; at first, when the endpoint was made.
+    /// Returns when the host last sent or read bytes, or when the endpoint was made.
     [[nodiscard]] std::chrono::steady_clock::time_point last_heard() const noexcept
     {
         return last_heard_;
     }
 
-    /// Whether a line of this host is being worked on, or waits for that.
+    /// Returns whether a line of this host is in progress or waits.
     [[nodiscard]] bool busy() const;
-    /// Whether nobody is there to read a reply.
+    /// Returns whether the host has closed the port.
     [[nodiscard]] bool has_gone() const;
 
   private:
-    /// What the port has said of the other side, to be acted on behind the bytes that came before.
+    /// The end of the input. It is handled after the bytes that came before it.
     enum class End : std::uint8_t { None, HungUp, Gone };
 
     [[nodiscard]] bool take_turn(const TurnIsOver& turn_is_over);
@@ -52,23 +51,23 @@ class Endpoint
     void read_ahead();
     [[nodiscard]] bool finish_input();
     void send();
-    void start_patience();
-    void patience_is_over();
+    void start_send_timer();
+    void send_timed_out();
     void leave();
 
     std::unique_ptr<drivers::BytePort> port_;
     Session session_;
     std::function<void(Endpoint&)> on_gone_;
     std::array<char, 16'384> buffer_;
-    std::string_view input_; ///< of the buffer: what the session has not taken yet
+    std::string_view input_; ///< the part of the buffer that the session has not taken
     End end_ = End::None;
-    bool watches_room_ = false;   ///< the loop tells when the port takes bytes again
-    bool measures_ = false;       ///< patience_ runs
-    bool sent_meanwhile_ = false; ///< since it runs
+    bool waits_for_room_ = false; ///< the loop reports when the port has room
+    bool send_timer_runs_ = false;
+    bool progress_ = false; ///< bytes were sent since the timer started
     std::chrono::steady_clock::time_point last_heard_ = std::chrono::steady_clock::now();
     Turn turn_;
-    Source patience_;
-    Source source_; ///< last: it calls into all of the above
+    Source send_timer_;
+    Source source_; ///< declared last: its handler uses all members above
 };
 
 } // namespace raymarch::daemon

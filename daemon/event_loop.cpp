@@ -17,7 +17,7 @@ Error loop_error(ErrorKind kind, const char* what, int result)
                  std::string(what) + ": " + std::generic_category().message(-result)};
 }
 
-/// An exception must not pass through sd-event, which is C: it ends the loop in an orderly way.
+/// An exception must not pass through sd-event, which is C. It ends the loop instead.
 template <typename Handler>
 int guarded(sd_event_source* source, Handler handler) noexcept
 {
@@ -25,7 +25,7 @@ int guarded(sd_event_source* source, Handler handler) noexcept
     try {
         handler();
         return 0;
-    } catch (const std::system_error& error) { // such as no further thread
+    } catch (const std::system_error& error) { // no thread can be started, for example
         number = error.code().value() > 0 ? error.code().value() : EIO;
     } catch (const std::bad_alloc&) {
     }
@@ -77,7 +77,7 @@ Source EventLoop::added(Source source, const char* what, int result)
 
 Source EventLoop::add_io(int fd, std::uint32_t events, std::function<void(std::uint32_t)> handler)
 {
-    const int why = errno; // where there is no descriptor: of the call that should have made it
+    const int why = errno; // if `fd` is -1: the error of the call that should have made it
     Source source(new EventSource);
     source->handler_ = std::move(handler);
     const auto call = [](sd_event_source* from, int, std::uint32_t revents, void* self) {

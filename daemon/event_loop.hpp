@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// sd-event with owners: a source lives as long as the handle that add_… returned.
+/// Wraps sd-event: a source lives as long as the handle that add_… returned.
 #pragma once
 
 #include "base/result.hpp"
@@ -18,8 +18,8 @@
 namespace raymarch::daemon
 {
 
-/// One event source with its handler; removing it is destroying it. One that could not be added
-/// (EventLoop::take_problem() says why) is there all the same, and nothing ever comes from it.
+/// One event source with its handler. Its destructor removes it from the loop. A source that could
+/// not be added never calls its handler; EventLoop::take_problem() tells why.
 class EventSource
 {
   public:
@@ -27,11 +27,10 @@ class EventSource
     EventSource& operator=(const EventSource&) = delete;
     ~EventSource();
 
-    /// For timers: fires once, `delay` from now. A timer that is armed again forgets the earlier
-    /// time.
+    /// For timers: fires once, `delay` from now. A second call replaces the first.
     void arm(std::chrono::milliseconds delay) noexcept;
-    /// For descriptors: which epoll events to wait for from now on. An edge-triggered source that
-    /// is told the same events again reports once more what is ready.
+    /// For descriptors: sets the epoll events to wait for. An edge-triggered source then reports
+    /// again what is ready, even if the events are the same.
     void watch(std::uint32_t events) noexcept;
 
   private:
@@ -39,11 +38,11 @@ class EventSource
     EventSource() = default;
     sd_event_source* source_ = nullptr;
     std::function<void(std::uint32_t)> handler_;
-    std::function<void(const inotify_event&)> on_change_; ///< in place of handler_, of inotify
+    std::function<void(const inotify_event&)> on_change_; ///< inotify uses this handler
 };
 using Source = std::unique_ptr<EventSource>;
 
-/// The one loop of the service. Handlers run one after the other, on the thread that runs the loop.
+/// The event loop of the service. Handlers run one after the other, on the thread that runs it.
 class EventLoop
 {
   public:
@@ -58,40 +57,40 @@ class EventLoop
     EventLoop& operator=(EventLoop&&) = delete;
     ~EventLoop();
 
-    /// Calls `handler` with the epoll events that came. `fd` may come straight from a call that
-    /// made none: then errno tells what the problem is.
+    /// Calls `handler` with the epoll events that came. `fd` may be the -1 of a failed call whose
+    /// errno is still set.
     [[nodiscard]] Source add_io(int fd, std::uint32_t events,
                                 std::function<void(std::uint32_t)> handler);
-    /// A timer that waits to be armed.
+    /// Adds a timer that is not armed.
     [[nodiscard]] Source add_timer(std::function<void()> handler);
-    /// Calls `handler` once, after what the loop has found ready already.
+    /// Calls `handler` once, after the events that are already ready.
     [[nodiscard]] Source add_call(std::function<void()> handler);
     /// The signal must be blocked in every thread.
     [[nodiscard]] Source add_signal(int signal, std::function<void()> handler);
 
-    /// Changes in a folder, or of a file, told by inotify; `mask` as inotify_add_watch() takes it.
-    /// The handler must not destroy this source.
+    /// Watches a folder or a file with inotify; `mask` is that of inotify_add_watch(). The handler
+    /// must not destroy this source.
     [[nodiscard]] Source add_inotify(const char* folder, std::uint32_t mask,
                                      std::function<void(const inotify_event&)> handler);
 
-    /// The first source since the last call that could not be added: no descriptor, no memory or no
-    /// watch is left, or there is no such folder. Nothing when all were. Kind: Unavailable.
+    /// Returns the first error of an add_… function since the last call: no descriptor, no memory
+    /// or no watch is left, or there is no such folder. Its kind is Unavailable.
     [[nodiscard]] std::optional<Error> take_problem() noexcept
     {
         return std::exchange(problem_, std::nullopt);
     }
 
-    /// Feeds systemd's watchdog where there is one; says whether there is.
+    /// Feeds systemd's watchdog. Returns whether there is one.
     bool feed_watchdog() noexcept;
 
-    /// Until quit(). Errors: InputOutput when the loop itself fails, or a handler runs out of
+    /// Runs until quit(). Errors: InputOutput if the loop itself fails, or if a handler runs out of
     /// memory or threads.
     [[nodiscard]] Result<void> run();
     void quit() noexcept;
 
   private:
     explicit EventLoop(sd_event* event) noexcept : event_(event) {}
-    /// The source, or one without its handler where sd-event refused it.
+    /// Keeps the error if sd-event refused the source.
     [[nodiscard]] Source added(Source source, const char* what, int result);
 
     sd_event* event_;

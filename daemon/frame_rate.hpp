@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Frames a second, from counts of frames that come at any time: with an interrupt, or a STATUS.
+/// Computes frames per second from samples of FRAMES, which may come at any time.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,8 @@
 namespace raymarch::daemon
 {
 
-/// Over the last one to two seconds where counts come often, else since the count before the last.
+/// If samples come often, the rate is over the last one to two seconds, else since the sample
+/// before the last.
 class FrameRate
 {
   public:
@@ -22,7 +23,7 @@ class FrameRate
         , last_{frames, now}
     {}
 
-    /// FRAMES as it is now. Fewer than before: the accelerator was reset, and it begins anew.
+    /// If FRAMES has become smaller, the accelerator was reset, and the measurement starts again.
     void sample(std::uint32_t frames, Clock::time_point now = Clock::now()) noexcept
     {
         if (frames < last_.frames)
@@ -34,7 +35,7 @@ class FrameRate
         last_ = {frames, now};
     }
 
-    /// Tenths of a frame a second; nothing before time has passed.
+    /// Returns tenths of a frame per second, or nothing before any time has passed.
     [[nodiscard]] std::optional<std::uint64_t> tenths_per_second() const noexcept
     {
         using std::chrono::milliseconds;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How many interrupts came, and how many of them nobody saw by themselves.
+/// Counts interrupts, and how many of them were coalesced.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 namespace raymarch::daemon
 {
 
-/// A device counts its interrupts from when its driver was loaded, modulo 2^32; who reads the count
-/// late sees it jump.
+/// A UIO device counts its interrupts modulo 2^32. If it is read late, the count has risen by more
+/// than one: the interrupts were coalesced.
 class InterruptCount
 {
   public:
-    /// A device was opened: its first count stands for one interrupt, whatever came before.
+    /// A device was opened: its first count stands for one interrupt.
     void opened() noexcept { last_.reset(); }
 
     void take(std::uint32_t count) noexcept
@@ -26,7 +26,7 @@ class InterruptCount
     }
 
     [[nodiscard]] std::uint64_t taken() const noexcept { return taken_; }
-    /// Of those, the ones that came together with a later one.
+    /// Returns how many interrupts were coalesced with a later one.
     [[nodiscard]] std::uint64_t missed() const noexcept { return missed_; }
 
   private:

@@ -33,9 +33,9 @@ int serve(int argc, char** argv)
         return 0;
     log::set_level(config->log_level);
 
-    // A log or a client that is read no more is no reason to end.
+    // A write to a closed log or client must not end the program.
     static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
-    sigset_t handled; // by the event loop; blocked before any thread exists
+    sigset_t handled; // the event loop handles these; they are blocked before any thread starts
     sigemptyset(&handled);
     for (const int number : {SIGTERM, SIGINT, SIGHUP})
         sigaddset(&handled, number);
@@ -61,7 +61,7 @@ int main(int argc, char** argv)
         return EX_OSERR;
     try {
         return serve(argc, argv);
-    } catch (const std::exception& error) { // no memory, or no thread, is left
+    } catch (const std::exception& error) { // no memory is left, or no thread can be started
         log::error("{}", error.what());
         return EX_OSERR;
     }

@@ -38,7 +38,7 @@ std::variant<Options, int> parse_command_line(int argc, const char* const* argv)
            fmt::format("configuration file (default: {}, if it exists)", default_config_path))
         ->type_name("FILE");
     app.add_flag("--check-config", options.check_config,
-                 "read the configuration, report what is wrong with it, and end");
+                 "check the configuration, report its errors, and exit");
     std::vector<std::string> values(settings().size());
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Setting& setting = settings()[i];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The command line of raymarchd, made from the table of settings.
+/// Reads the command line of raymarchd. Its options come from the table of settings.
 #pragma once
 
 #include "daemon/config.hpp"
@@ -15,15 +15,16 @@ namespace raymarch::daemon
 
 struct Options
 {
-    std::string config_path; ///< empty: the default path, if it is there
+    std::string config_path; ///< empty means the default path, if the file exists
     bool check_config = false;
     std::vector<std::pair<std::string, std::string>> settings; ///< name and text, in table order
 };
 
-/// The options, or the status to exit with: help and version were printed, or an error was.
+/// Returns the options, or the exit status after it has printed a help text or an error.
 [[nodiscard]] std::variant<Options, int> parse_command_line(int argc, const char* const* argv);
 
-/// Defaults, then the file, then the command line. Errors: Config; for the command line Usage.
+/// Takes the defaults, then the file, then the command line. Errors: Config, or Usage for the
+/// command line.
 [[nodiscard]] Result<Config> load_config(const Options& options);
 
 } // namespace raymarch::daemon

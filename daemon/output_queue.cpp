@@ -30,8 +30,8 @@ void OutputQueue::pop(std::size_t count) noexcept
     std::copy(bytes_.data() + count, bytes_.data() + size_, bytes_.data());
     size_ -= count;
     sent_ += static_cast<std::uint32_t>(count);
-    // A reply that is not sent whole ends 1 to bytes_.size() bytes behind the ones that are sent.
-    // One that is sent whole ends at or before them, and the subtraction wraps to more than that.
+    // A reply that is not completely sent ends 1 to bytes_.size() bytes after sent_. For a reply
+    // that is completely sent, the subtraction wraps to a larger number.
     while (replies_ > 0 && ends_[first_] - sent_ - 1 >= bytes_.size()) {
         first_ = (first_ + 1) % ends_.size();
         --replies_;

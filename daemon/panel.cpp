@@ -19,7 +19,7 @@ namespace raymarch::daemon
 namespace
 {
 
-/// How often LEDs are looked after, and inputs that do not report edges.
+/// LEDs are updated, and inputs without edges are sampled, once in this time.
 constexpr std::chrono::milliseconds tick_interval{50};
 
 } // namespace
@@ -32,7 +32,7 @@ Panel::Panel(const Gpio& gpio, EventLoop& loop, Controller& controller, Board& b
     , board_(board)
     , open_(std::move(open))
     , devices_(std::move(devices))
-    , again_(loop, "buttons, switches and LEDs", [this] { look_for_lines(); })
+    , reopener_(loop, "buttons, switches and LEDs", [this] { open_missing_lines(); })
     , tick_(loop.add_timer([this] { tick(); }))
 {
     for (std::size_t i = 0; gpio.used && i < gpio.lines.size(); ++i)
@@ -44,21 +44,21 @@ Panel::~Panel()
 {
     for (Line& line : lines_)
         if (line.pin && line.action.kind == ActionKind::Led)
-            static_cast<void>(line.pin->write(false)); // nobody is left to be told
+            static_cast<void>(line.pin->write(false)); // an error is of no interest any more
 }
 
 void Panel::start()
 {
     if (!lines_.empty())
-        look_for_lines();
+        open_missing_lines();
 }
 
 // --- finding and losing lines ---
 
-void Panel::look_for_lines()
+void Panel::open_missing_lines()
 {
-    if (drop_failed_lines()) // what is found and lost in turns is not to keep the loop busy
-        return again_.look_later();
+    if (drop_failed_lines()) // a line that fails again and again must not keep the loop busy
+        return reopener_.retry_later();
     std::set<std::string> problems;
     bool no_chip = false;
     bool any_chip = false;
@@ -72,39 +72,39 @@ void Panel::look_for_lines()
             any_chip = any_chip || (number != ENODEV && number != ENOENT); // no such path
             continue;
         }
-        again_.some_found();
+        reopener_.some_found();
     }
     no_chip = no_chip && !any_chip;
-    if (no_chip) { // most likely it is no board: that is worth no warning
-        again_.tell(problems, log::Level::Info, "one that comes is used");
+    if (no_chip) { // this machine is probably not a board, so there is no warning
+        reopener_.log_new(problems, log::Level::Info, "a chip that appears later is used");
     } else {
-        again_.tell(problems);
-        arrivals_.reset();
+        reopener_.log_new(problems);
+        chip_watch_.reset();
     }
-    if (!problems.empty() && !(no_chip && wait_for_chip()))
-        again_.look_later();
+    if (!problems.empty() && !(no_chip && watch_for_chip()))
+        reopener_.retry_later();
     if (std::ranges::any_of(lines_, [](const Line& line) { return line.pin != nullptr; }))
         tick_->arm({});
 }
 
-/// Most machines without a chip never get one: looking for it would wake them for nothing. On a
-/// board a driver or an overlay may bring it late.
-bool Panel::wait_for_chip()
+/// Most machines without a chip never get one, so polling would be useless. On a board, a driver or
+/// an overlay may add a chip late.
+bool Panel::watch_for_chip()
 {
-    if (arrivals_)
+    if (chip_watch_)
         return true;
-    arrivals_ = loop_.add_inotify(devices_.c_str(), IN_CREATE | IN_MOVED_TO,
-                                  [this](const inotify_event& event) {
-                                      const std::string_view name(event.len > 0 ? event.name : "");
-                                      if (!name.starts_with("gpiochip") && !name.empty())
-                                          return;
-                                      again_.look_anew();
-                                  });
+    chip_watch_ = loop_.add_inotify(
+        devices_.c_str(), IN_CREATE | IN_MOVED_TO, [this](const inotify_event& event) {
+            const std::string_view name(event.len > 0 ? event.name : "");
+            if (!name.starts_with("gpiochip") && !name.empty())
+                return;
+            reopener_.start_again();
+        });
     if (loop_.take_problem()) {
-        arrivals_.reset();
+        chip_watch_.reset();
         return false;
     }
-    again_.look_now(); // one may have come since the look
+    reopener_.retry_now(); // a chip may have appeared before the watch
     return true;
 }
 
@@ -127,31 +127,31 @@ Result<void> Panel::open(Line& line)
     return {};
 }
 
-/// A button that is held already is not pressed; a switch stands where it stands.
+/// A button that is already held does not count as pressed. A switch acts with its present level.
 void Panel::watch(Line& line, bool level)
 {
     line.debouncer = drivers::Debouncer(gpio_.debounce, level);
-    line.settled = loop_.add_timer([this, &line] { settle(line); });
-    line.repeat = loop_.add_timer([this, &line] { repeat(line); });
+    line.settle_timer = loop_.add_timer([this, &line] { settle(line); });
+    line.repeat_timer = loop_.add_timer([this, &line] { repeat(line); });
     if (line.pin->edge_fd() >= 0)
         line.edges = loop_.add_io(line.pin->edge_fd(), EPOLLIN,
                                   [this, &line](std::uint32_t) { take_edges(line); });
     if (const auto problem = loop_.take_problem())
-        return lose(line, *problem);
+        return mark_failed(line, *problem);
     if (line.action.kind == ActionKind::Switch)
         act(line, level);
 }
 
-/// Only noted here, because this may run in a handler of the line's own.
-void Panel::lose(Line& line, const Error& error)
+/// Only marks the line, because this function may run in a handler of the line.
+void Panel::mark_failed(Line& line, const Error& error)
 {
     if (!std::exchange(line.failed, true))
         log::warning("the line of {} has gone away: {}; it will be looked for", line.action.name,
                      error.message);
-    again_.look_now();
+    reopener_.retry_now();
 }
 
-/// A switch stays as it was last seen; a button that is gone is held no more.
+/// A lost switch keeps its last level; a lost button counts as released.
 bool Panel::drop_failed_lines()
 {
     bool any = false;
@@ -159,11 +159,11 @@ bool Panel::drop_failed_lines()
         if (!line.failed)
             continue;
         line.edges.reset();
-        line.settled.reset();
-        line.repeat.reset();
+        line.settle_timer.reset();
+        line.repeat_timer.reset();
         line.pin.reset();
         line.failed = false;
-        again_.some_lost();
+        reopener_.some_lost();
         any = true;
     }
     return any;
@@ -176,34 +176,33 @@ void Panel::take_edges(Line& line)
     while (!line.failed) {
         const auto edge = line.pin->take_edge();
         if (!edge)
-            return lose(line, edge.error());
+            return mark_failed(line, edge.error());
         if (!*edge)
             break;
         act(line, line.debouncer.edge((*edge)->level, (*edge)->at));
-        line.settled->arm(gpio_.debounce);
+        line.settle_timer->arm(gpio_.debounce);
     }
 }
 
-/// The timer may come before edges that wait, which arm it again.
+/// The timer may fire before waiting edges were read; they arm it again.
 void Panel::settle(Line& line)
 {
     if (line.failed)
         return;
     if (const auto waiting = line.pin->take_edge(); waiting && *waiting) {
         act(line, line.debouncer.edge((*waiting)->level, (*waiting)->at));
-        line.settled->arm(gpio_.debounce);
+        line.settle_timer->arm(gpio_.debounce);
         return take_edges(line);
     }
     sample(line);
 }
 
-/// What the line reads now counts.
 void Panel::sample(Line& line)
 {
     const auto level = line.pin->read();
     if (!level)
-        return lose(line, level.error());
-    act(line, line.debouncer.quiet(*level));
+        return mark_failed(line, level.error());
+    act(line, line.debouncer.sample(*level));
 }
 
 void Panel::act(Line& line, std::optional<bool> level)
@@ -221,23 +220,23 @@ void Panel::act(Line& line, std::optional<bool> level)
         repeat(line);
 }
 
-/// Armed again from now, not from when it was due: what takes longer than a step slows it down.
+/// The timer is armed from now and not from when it was due, so a slow step delays the next ones.
 void Panel::repeat(Line& line)
 {
     const auto* const behaviour = std::get_if<Repeat>(&line.action.behaviour);
     if (behaviour == nullptr || !line.debouncer.level() || line.failed)
         return;
     behaviour->step(controller_);
-    line.repeat->arm(std::chrono::milliseconds(1000 / gpio_.*behaviour->rate));
+    line.repeat_timer->arm(std::chrono::milliseconds(1000 / gpio_.*behaviour->rate));
 }
 
 // --- LEDs ---
 
-Glance Panel::glance()
+PanelStatus Panel::status()
 {
     return {.uptime = std::chrono::duration_cast<std::chrono::milliseconds>(
                 std::chrono::steady_clock::now() - started_),
-            .accepted = accepted_.look(controller_.applied()),
+            .accepted = accepted_blinker_.sample(controller_.applied()),
             .refused = controller_.last_refused(),
             .hardware = board_.health(),
             .colour = protocol::colour_bits(controller_.accelerator(), controller_.state())};
@@ -245,7 +244,7 @@ Glance Panel::glance()
 
 void Panel::tick()
 {
-    const Glance now = glance();
+    const PanelStatus now = status();
     bool any = false;
     for (Line& line : lines_) {
         if (!line.pin || line.failed)
@@ -260,13 +259,13 @@ void Panel::tick()
         tick_->arm(tick_interval);
 }
 
-void Panel::show(Line& line, const Glance& now)
+void Panel::show(Line& line, const PanelStatus& now)
 {
     const bool lit = std::get<Show>(line.action.behaviour)(now);
     if (line.shown == lit)
         return;
     if (const auto written = line.pin->write(lit); !written)
-        return lose(line, written.error());
+        return mark_failed(line, written.error());
     line.shown = lit;
 }
 

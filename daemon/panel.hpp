@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Buttons, switches and LEDs in the event loop: lines opened as the configuration maps them and
-/// looked for again when they are missing, presses debounced and acted on, LEDs kept up to date.
+/// Buttons, switches and LEDs in the event loop. The panel opens the configured lines, opens
+/// missing lines again later, debounces presses and acts on them, and updates the LEDs.
 #pragma once
 
 #include "daemon/actions.hpp"
@@ -24,50 +24,49 @@ namespace raymarch::daemon
 class Panel
 {
   public:
-    /// drivers::open_gpio_line, or a test's.
+    /// The type of drivers::open_gpio_line(). A test gives another function.
     using Opener = std::function<Result<std::unique_ptr<drivers::Pin>>(const drivers::LineSpec&,
                                                                        drivers::LineUse)>;
 
-    /// `devices` is the folder in which the chips appear.
+    /// The chips appear in the folder `devices`.
     Panel(const Gpio& gpio, EventLoop& loop, Controller& controller, Board& board, Opener open,
           std::string devices = "/dev");
     Panel(const Panel&) = delete;
     Panel& operator=(const Panel&) = delete;
-    /// The LEDs go dark.
+    /// Turns off the LEDs.
     ~Panel();
 
-    /// Looks for all lines now; for those that are missing, again and again, or where the machine
-    /// has no chip at all, as soon as one appears.
+    /// Opens all lines. Missing lines are tried again with a back-off, or, if the machine has no
+    /// chip, when a chip appears.
     void start();
 
-    /// ` gpio=…`
+    /// Writes ` gpio=…`.
     void write_status(protocol::ReplyWriter& reply) const;
 
   private:
-    /// One line that an action is mapped to.
     struct Line
     {
         Line(const Action& what, const drivers::LineSpec& where) : action(what), spec(where) {}
 
         const Action& action;
         const drivers::LineSpec& spec;
-        std::unique_ptr<drivers::Pin> pin; ///< null: it is not there
-        bool failed = false;               ///< pin is of no use any more
-        std::optional<bool> shown;         ///< of an LED: what it was told last
+        std::unique_ptr<drivers::Pin> pin; ///< null if the line is missing
+        bool failed = false;               ///< the pin cannot be used any more
+        std::optional<bool> shown;         ///< the last state of an LED
         drivers::Debouncer debouncer{{}, false};
         Source edges;
-        Source settled;
-        Source repeat;
+        Source settle_timer;
+        Source repeat_timer;
     };
 
-    void look_for_lines();
-    /// False when that cannot be told; true until look_for_lines() finds a chip.
-    [[nodiscard]] bool wait_for_chip();
+    void open_missing_lines();
+    /// Returns false if the folder cannot be watched.
+    [[nodiscard]] bool watch_for_chip();
     [[nodiscard]] Result<void> open(Line& line);
     void watch(Line& line, bool level);
-    /// Whether there was one.
+    /// Returns whether there was one.
     bool drop_failed_lines();
-    void lose(Line& line, const Error& error);
+    void mark_failed(Line& line, const Error& error);
 
     void take_edges(Line& line);
     void settle(Line& line);
@@ -76,8 +75,8 @@ class Panel
 
     void tick();
     void sample(Line& line);
-    void show(Line& line, const Glance& now);
-    [[nodiscard]] Glance glance();
+    void show(Line& line, const PanelStatus& now);
+    [[nodiscard]] PanelStatus status();
 
     const Gpio& gpio_;
     EventLoop& loop_;
@@ -87,11 +86,11 @@ class Panel
     const std::string devices_;
     const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 
-    drivers::Blinker accepted_;
-    Reopener again_;
+    drivers::Blinker accepted_blinker_;
+    Reopener reopener_;
     std::list<Line> lines_;
     Source tick_;
-    Source arrivals_; ///< of chips; only while there is none
+    Source chip_watch_; ///< set only while there is no chip
 };
 
 } // namespace raymarch::daemon

@@ -21,7 +21,7 @@ drivers::RegOffset at(Register reg) noexcept
     return {static_cast<std::uint16_t>(reg)};
 }
 
-/// Both levels of every bit.
+/// Tests both levels of every bit.
 bool scratch_works(drivers::RegisterBus& bus)
 {
     for (const std::uint32_t pattern : {0xA5A5'5A5AU, 0x5A5A'A5A5U}) {
@@ -70,7 +70,7 @@ std::size_t RegisterPath::write_changed(const protocol::Words& words)
 {
     std::size_t written = 0;
     for (std::size_t i = 0; i < accelerator_->word_count; ++i) {
-        if (held_ && (*held_)[i] == words[i])
+        if (known_ && (*known_)[i] == words[i])
             continue;
         bus_->write(offset(i), words[i]);
         ++written;
@@ -95,15 +95,15 @@ Applied RegisterPath::apply(const protocol::Words& words)
     deferred_.reset();
     const std::size_t written = write_changed(words);
     if (!reads_back(words)) {
-        // Whatever the registers hold, the next update writes every word.
-        const std::optional<protocol::Words> before = std::exchange(held_, std::nullopt);
+        // The content of the registers is unknown, so the next update writes every word.
+        const std::optional<protocol::Words> before = std::exchange(known_, std::nullopt);
         if (before)
             write_changed(*before);
         if (extended_)
-            enable(); // logic that was reset has forgotten this, too
+            enable(); // the logic may have been reset
         return Applied::Failed;
     }
-    held_ = words;
+    known_ = words;
     if (extended_ && written > 0)
         bus_->write(at(Register::Commit), 1);
     return Applied::Written;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Words to the register block: which registers are touched, in which order, and what is checked.
+/// Writes parameter words to the register block, checks them and commits them.
 #pragma once
 
 #include "base/result.hpp"
@@ -13,37 +13,37 @@
 namespace raymarch::daemon
 {
 
-/// What became of an update.
+/// The result of an update.
 enum class Applied : std::uint8_t {
-    Written,  ///< the registers hold it
-    Deferred, ///< an earlier commit is still pending; retry() brings it, or a newer one
-    Failed,   ///< a word read back differently; the registers were set back as far as they let
+    Written,  ///< the registers hold the words
+    Deferred, ///< an earlier commit is still pending; retry() writes the newest words later
+    Failed,   ///< a word read back differently; the old words, if known, were written again
     Absent,   ///< there is no register block
 };
 
-/// The path of one accelerator's words. Borrows the bus.
+/// Borrows the bus.
 ///
-/// A plain block is written word by word. A block with the extended registers runs in shadow mode:
-/// words reach the ray units together, at the frame start after COMMIT. While a commit is pending
-/// no word is written, because the frame start could fall between two of them.
+/// In a plain block each word takes effect when it is written. A block with the extended registers
+/// runs in shadow mode: the ray units get all words together at the frame start after COMMIT. While
+/// a commit is pending no word is written, because a frame could start between two words.
 class RegisterPath
 {
   public:
-    /// Looks at what is there: ID, then the self-test on SCRATCH, then the kind. `plain` is what a
-    /// block without an ID is taken for. Enables the accelerator, in shadow mode. Errors:
-    /// Unavailable (the self-test failed, or no description has its kind).
+    /// Reads ID, tests SCRATCH and reads the accelerator's kind. A block without an ID counts as a
+    /// plain block of the accelerator `plain`. Enables the accelerator in shadow mode. Errors:
+    /// Unavailable (the test failed, or the kind is unknown).
     [[nodiscard]] static Result<RegisterPath> probe(drivers::RegisterBus& bus,
                                                     const protocol::Accelerator& plain);
 
     /// Writes the words that changed, in ascending order, reads all words back, and commits.
     [[nodiscard]] Applied apply(const protocol::Words& words);
 
-    /// Brings what was deferred, if the pending commit is through; Written when nothing is
+    /// Writes the deferred words if no commit is pending any more. Returns Written if nothing is
     /// deferred.
     [[nodiscard]] Applied retry();
     [[nodiscard]] bool deferred() const noexcept { return deferred_.has_value(); }
 
-    /// Takes back the frame-done flag, so that the interrupt falls.
+    /// Clears the frame-done flag, and with it the interrupt.
     void acknowledge_frame();
 
     [[nodiscard]] const protocol::Accelerator& accelerator() const noexcept
@@ -51,9 +51,9 @@ class RegisterPath
         return *accelerator_;
     }
     [[nodiscard]] bool extended() const noexcept { return extended_; }
-    /// STATUS; 0 for a plain block.
+    /// Returns STATUS, or 0 for a plain block.
     [[nodiscard]] std::uint32_t status() const;
-    /// FRAMES; 0 for a plain block.
+    /// Returns FRAMES, or 0 for a plain block.
     [[nodiscard]] std::uint32_t frames() const;
 
   private:
@@ -62,18 +62,18 @@ class RegisterPath
         , accelerator_(&accelerator)
         , extended_(extended)
     {}
-    /// Frames are drawn, in shadow mode, with an interrupt where there is a line.
+    /// Enables drawing, shadow mode and, if there is an interrupt line, the interrupt.
     void enable();
     [[nodiscard]] drivers::RegOffset offset(std::size_t index) const noexcept;
     [[nodiscard]] bool reads_back(const protocol::Words& words) const;
-    /// The number of words written: those that differ from what the registers are known to hold.
+    /// Writes the words that differ from the known ones. Returns how many.
     std::size_t write_changed(const protocol::Words& words);
 
     drivers::RegisterBus* bus_;
     const protocol::Accelerator* accelerator_;
     bool extended_;
-    std::optional<protocol::Words> held_;     ///< what the registers hold, once that is known
-    std::optional<protocol::Words> deferred_; ///< the newest state that still has to go out
+    std::optional<protocol::Words> known_;    ///< the words in the registers, if known
+    std::optional<protocol::Words> deferred_; ///< the newest words that are still to be written
 };
 
 } // namespace raymarch::daemon

@@ -6,53 +6,53 @@
 namespace raymarch::daemon
 {
 
-Reopener::Reopener(EventLoop& loop, std::string_view what, std::function<void()> look,
-                   std::string_view then, Now now)
+Reopener::Reopener(EventLoop& loop, std::string_view what, std::function<void()> retry,
+                   std::string_view outlook, Now now)
     : what_(what)
-    , then_(then)
+    , outlook_(outlook)
     , now_(std::move(now))
-    , timer_(loop.add_timer(std::move(look)))
+    , timer_(loop.add_timer(std::move(retry)))
 {}
 
 void Reopener::missing(const Error& problem)
 {
-    tell({problem.message}, log::Level::Warning, then_);
-    look_later();
+    log_new({problem.message}, log::Level::Warning, outlook_);
+    retry_later();
 }
 
 void Reopener::found()
 {
-    told_.clear(); // a later loss is to be logged again
+    logged_.clear(); // a later loss is logged again
     some_found();
 }
 
 void Reopener::lost()
 {
     some_lost();
-    look_later();
+    retry_later();
 }
 
-void Reopener::tell(std::set<std::string> problems, log::Level level, std::string_view then)
+void Reopener::log_new(std::set<std::string> problems, log::Level level, std::string_view outlook)
 {
     std::string fresh;
     for (const std::string& problem : problems)
-        if (!told_.contains(problem))
+        if (!logged_.contains(problem))
             fresh += (fresh.empty() ? "" : "; ") + problem;
-    told_ = std::move(problems);
+    logged_ = std::move(problems);
     if (!fresh.empty())
-        log::line(level, "{}: {}; {}", what_, fresh, then);
+        log::line(level, "{}: {}; {}", what_, fresh, outlook);
 }
 
-void Reopener::look_later()
+void Reopener::retry_later()
 {
     wait_ = back_off_.next();
     timer_->arm(wait_);
 }
 
-void Reopener::look_anew()
+void Reopener::start_again()
 {
     back_off_.reset();
-    look_now();
+    retry_now();
 }
 
 } // namespace raymarch::daemon

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Looks again for something that is missing or has gone away, and logs once why it is not there.
+/// Opens something that is missing again and again, with a back-off, and logs each problem once.
 #pragma once
 
 #include "base/log.hpp"
@@ -17,7 +17,7 @@
 namespace raymarch::daemon
 {
 
-/// The usual end of the log line of a problem.
+/// The usual end of a log line about a problem.
 inline constexpr std::string_view tried_again = "it will be tried again";
 
 class Reopener
@@ -25,41 +25,40 @@ class Reopener
   public:
     using Now = std::function<BackOff::Clock::time_point()>;
 
-    /// A problem is logged as `what: problem; then`. `look` is called, from the loop, when it is
-    /// time to look again; it does not destroy the Reopener.
-    Reopener(EventLoop& loop, std::string_view what, std::function<void()> look,
-             std::string_view then = tried_again, Now now = BackOff::Clock::now);
+    /// A problem is logged as `what: problem; outlook`. The loop calls `retry` when it is time for
+    /// the next attempt; it must not destroy the Reopener.
+    Reopener(EventLoop& loop, std::string_view what, std::function<void()> retry,
+             std::string_view outlook = tried_again, Now now = BackOff::Clock::now);
 
-    /// It is not there: that is logged unless it was the last time too, and it is looked for later.
+    /// The attempt failed: logs a new problem, and tries again later.
     void missing(const Error& problem);
-    /// It is there.
+    /// The attempt succeeded.
     void found();
-    /// It was there and has gone away: it is looked for later.
+    /// What was open has gone away: tries again later.
     void lost();
 
-    // The parts of the above, for something of which some may be there and some not.
+    // The following functions are for several things of which some may be missing.
 
-    /// Logs those of the problems that were not there the last time.
-    void tell(std::set<std::string> problems, log::Level level = log::Level::Warning,
-              std::string_view then = tried_again);
-    /// Some of it was found, or lost: the waiting is as if it had been all.
+    /// Logs the problems that the last call did not have.
+    void log_new(std::set<std::string> problems, log::Level level = log::Level::Warning,
+                 std::string_view outlook = tried_again);
     void some_found() { back_off_.opened(now_()); }
     void some_lost() { back_off_.lost(now_()); }
-    void look_later();
-    void look_now() { timer_->arm({}); }
-    /// There is a reason to look now, and often again.
-    void look_anew();
+    void retry_later();
+    void retry_now() { timer_->arm({}); }
+    /// Tries now, and starts the back-off again.
+    void start_again();
 
-    /// The time that look_later() waits, or waited the last time.
+    /// Returns the last delay of retry_later().
     [[nodiscard]] std::chrono::milliseconds wait() const noexcept { return wait_; }
 
   private:
     const std::string_view what_;
-    const std::string_view then_;
+    const std::string_view outlook_;
     const Now now_;
     BackOff back_off_;
     std::chrono::milliseconds wait_{};
-    std::set<std::string> told_; ///< the problems of the last time
+    std::set<std::string> logged_; ///< the problems of the last attempt
     Source timer_;
 };
 

@@ -80,7 +80,7 @@ Result<PersistedStates> parse_state_file(std::string_view text)
         }
         protocol::State values = protocol::initial_state(*accelerator);
         if (protocol::read_frame(*accelerator, {.bytes = line}, values))
-            return bad("a state in it is no frame");
+            return bad("a state in it is not a frame");
         PersistedState& state = states.of(*accelerator);
         (name == "saved" ? state.saved : state.last) = values;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The persisted states as text: of each accelerator what was last applied, and what SAVE put
-/// aside.
+/// Formats and parses the state file. It has the last state and the saved state of each
+/// accelerator.
 ///
 ///     raymarch-state 1
 ///     last marcher FX=0,…,OBJ=sphere
@@ -9,8 +9,8 @@
 ///     last fractal X=0,…,HUE=0
 ///     crc32 1234ABCD
 ///
-/// The check covers every line before it. A file that fails it, or that another version wrote, is
-/// refused whole. Lines of accelerators that this version does not know are kept as they are.
+/// The checksum covers every line before it. A file with a wrong checksum or of another version is
+/// refused. Lines of unknown accelerators are kept.
 #pragma once
 
 #include "base/result.hpp"
@@ -26,16 +26,15 @@ namespace raymarch::daemon
 
 struct PersistedState
 {
-    std::optional<protocol::State> last;  ///< to go on with after a restart
-    std::optional<protocol::State> saved; ///< what SAVE put aside for LOAD
+    std::optional<protocol::State> last;  ///< restored after a restart
+    std::optional<protocol::State> saved; ///< SAVE stores it for LOAD
     bool operator==(const PersistedState&) const = default;
 };
 
-/// One for each accelerator of the registry.
 struct PersistedStates
 {
     std::array<PersistedState, protocol::accelerators.size()> states{};
-    std::string others; ///< whole lines of accelerators that this version does not know
+    std::string others; ///< the lines of unknown accelerators
 
     [[nodiscard]] PersistedState& of(const protocol::Accelerator& accelerator) noexcept
     {

@@ -52,7 +52,7 @@ Result<void> StateStore::lock()
 {
     if (path_.empty())
         return {};
-    auto lock = drivers::LockFile::beside(path_);
+    auto lock = drivers::LockFile::take_for(path_);
     if (lock)
         lock_ = std::move(*lock);
     else if (drivers::held_by_another(lock.error()))
@@ -71,10 +71,10 @@ void StateStore::read()
         const std::scoped_lock lock(mutex_);
         states_ = std::move(*states);
     } else if (states.error().number == ENOENT) {
-        log::info("no state from earlier: {}", states.error().message);
+        log::info("there is no stored state: {}", states.error().message);
     } else {
         unreadable_ = true;
-        log::warning("starting from the defaults: {}; the file will be kept under another name",
+        log::warning("starting from the defaults: {}; the file will be renamed",
                      states.error().message);
     }
 }
@@ -118,8 +118,6 @@ std::optional<protocol::State> StateStore::last(const Accelerator& accelerator)
     return states_.of(accelerator).last;
 }
 
-// --- the worker ---
-
 void StateStore::work(const std::stop_token& stop)
 {
     std::unique_lock lock(mutex_);
@@ -135,7 +133,7 @@ void StateStore::work(const std::stop_token& stop)
         do_jobs(lock);
 }
 
-/// All that waits, with one write: several hosts that save at once wait for the disk once.
+/// Does all waiting jobs with one write, so that several SAVEs wait for the disk once.
 void StateStore::do_jobs(std::unique_lock<std::mutex>& lock)
 {
     std::vector<Job> jobs = std::exchange(jobs_, {});
@@ -152,7 +150,7 @@ void StateStore::do_jobs(std::unique_lock<std::mutex>& lock)
     const bool written = (!changes && !saves) || write(states);
     lock.lock();
     if (!written && changes && !due_)
-        due_ = Clock::now() + pause_after_failure; // the disk may be full, or away
+        due_ = Clock::now() + pause_after_failure; // the disk may be full or removed
     for (const Job& job : jobs)
         if (written && job.saved)
             states_.of(*job.accelerator).saved = job.saved;
@@ -163,7 +161,7 @@ void StateStore::do_jobs(std::unique_lock<std::mutex>& lock)
 
 void StateStore::answer(std::vector<Job>& jobs, bool written)
 {
-    std::optional<PersistedStates> file; // read when a LOAD wants it
+    std::optional<PersistedStates> file; // read if a LOAD needs it
     for (Job& job : jobs) {
         if (job.saved) {
             job.answer.set_value(written ? job.saved : std::nullopt);
@@ -176,7 +174,7 @@ void StateStore::answer(std::vector<Job>& jobs, bool written)
         const PersistedState& state = file->of(*job.accelerator);
         job.answer.set_value(state.saved ? state.saved : state.last);
     }
-    if (file) { // somebody may have put another file there, a copy from earlier
+    if (file) { // the user may have restored an older file
         const std::scoped_lock lock(mutex_);
         for (std::size_t i = 0; i < file->states.size(); ++i)
             if (file->states[i].saved)
@@ -202,8 +200,8 @@ Result<void> StateStore::replace(const PersistedStates& states)
         unreadable_ = false;
         return {};
     } else if (there || there.error().number != ENOENT) {
-        if (auto way = make_way(there ? *there : std::string()); !way)
-            return way;
+        if (auto renamed = rename_unreadable(there ? *there : std::string()); !renamed)
+            return renamed;
     }
     if (auto written =
             drivers::replace_file(path_, drivers::as_bytes(text), drivers::Durability::Durable);
@@ -219,15 +217,15 @@ Result<void> StateStore::replace(const PersistedStates& states)
     return {};
 }
 
-/// Keeps what stands in the file, where it is no state that this version can read.
-Result<void> StateStore::make_way(const std::string& text)
+/// Renames a file that this version cannot read, so that it is not overwritten.
+Result<void> StateStore::rename_unreadable(const std::string& text)
 {
     if (!unreadable_ && parse_state_file(text))
         return {};
     const auto kept = drivers::set_aside(path_);
     if (!kept)
         return fail(kept.error());
-    log::warning("{} is no state that this version can read: it is kept as {}", path_, *kept);
+    log::warning("{} is not a state that this version can read; it is renamed to {}", path_, *kept);
     return {};
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Keeps the states over a restart: what each accelerator had last, and what SAVE put aside.
+/// Keeps the last state and the saved state of each accelerator in a file.
 ///
-/// An SD card can take seconds to write a file, and longer than a serial port's buffer lasts. So a
-/// thread of its own reads and writes, and the event loop never waits for it.
+/// An SD card can take seconds to write a file, and a serial port's buffer would overflow
+/// meanwhile. So a worker thread reads and writes the file, and the event loop never waits for it.
 #pragma once
 
 #include "base/result.hpp"
@@ -27,28 +27,27 @@ namespace raymarch::daemon
 class StateStore final : public Storage
 {
   public:
-    /// `path` names the state file; empty: nothing is kept. `on_stored` is called on another thread
-    /// each time that a StoredState has got its value.
+    /// `path` is the state file; without one nothing is kept. The worker thread calls `on_stored`
+    /// when StoredStates have got their values.
     StateStore(std::string path, std::function<void()> on_stored);
     StateStore(const StateStore&) = delete;
     StateStore& operator=(const StateStore&) = delete;
     ~StateStore() override { finish(); }
-    /// Writes what waits to be written, and ends the worker. Changes that come later are not
-    /// written.
+    /// Writes all waiting changes and ends the worker. Later changes are not written.
     void finish();
 
-    /// Makes this process the one that writes the file. Errors: Unavailable when another process
-    /// is. A file system without locks is no error.
+    /// Locks the file. Errors: Unavailable if another process has the lock. A file system without
+    /// locks is not an error.
     [[nodiscard]] Result<void> lock();
 
-    /// Reads the file, at the start. A file that cannot be read, or not understood, is told of, and
-    /// kept under another name as soon as there is something to write.
+    /// Reads the file at the start. A file that cannot be read or parsed is logged, and renamed
+    /// before the next write.
     void read();
 
-    // Storage. A changed state is written two seconds later, with what has changed meanwhile; a
-    // write that fails is logged once and tried again every ten seconds.
+    /// A changed state is written two seconds later, together with other changes. A failed write is
+    /// logged once and tried again every ten seconds.
     void changed(const Accelerator& accelerator, const State& state) override;
-    /// What stands in the file already is not written again.
+    /// The file is not written again if its content is the same.
     [[nodiscard]] StoredState save(const Accelerator& accelerator, const State& state) override;
     [[nodiscard]] StoredState load(const Accelerator& accelerator) override;
     [[nodiscard]] std::optional<State> last(const Accelerator& accelerator) override;
@@ -58,32 +57,32 @@ class StateStore final : public Storage
     struct Job
     {
         const Accelerator* accelerator;
-        std::optional<State> saved; ///< what to put aside; nothing: LOAD
+        std::optional<State> saved; ///< the state to save, or nothing for LOAD
         std::promise<std::optional<State>> answer;
     };
 
     [[nodiscard]] StoredState add(Job job);
     void work(const std::stop_token& stop);
     void do_jobs(std::unique_lock<std::mutex>& lock);
-    // On the worker alone.
+    // Only the worker calls these functions.
     void answer(std::vector<Job>& jobs, bool written);
     [[nodiscard]] bool write(const PersistedStates& states);
     [[nodiscard]] Result<void> replace(const PersistedStates& states);
-    [[nodiscard]] Result<void> make_way(const std::string& text);
+    [[nodiscard]] Result<void> rename_unreadable(const std::string& text);
 
     const std::string path_;
     std::optional<drivers::LockFile> lock_;
     const std::function<void()> on_stored_;
 
-    bool failing_ = false;    ///< the worker's; logged once
-    bool unreadable_ = false; ///< what stood in the file at the start could not be read
+    bool failing_ = false;    ///< the last write failed
+    bool unreadable_ = false; ///< the file could not be read at the start
 
-    std::mutex mutex_; ///< guards what follows
+    std::mutex mutex_; ///< guards the following members up to jobs_
     std::condition_variable_any wake_;
     PersistedStates states_;
-    std::optional<Clock::time_point> due_; ///< when changes are to be written; none: there are none
+    std::optional<Clock::time_point> due_; ///< when changes are to be written, if there are any
     std::vector<Job> jobs_;
-    std::jthread worker_; ///< last: it uses all of the above
+    std::jthread worker_; ///< declared last: it uses all members above
 };
 
 } // namespace raymarch::daemon

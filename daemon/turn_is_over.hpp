@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The question that ends a turn, for work that is done in turns.
+/// The function type that tells long work when to stop.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 namespace raymarch::daemon
 {
 
-/// Work that takes long calls this between two pieces, and stops when it returns true.
+/// Long work calls this function between two steps, and stops when it returns true.
 using TurnIsOver = std::function<bool()>;
 
 } // namespace raymarch::daemon

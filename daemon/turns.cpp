@@ -11,8 +11,7 @@ namespace raymarch::daemon
 namespace
 {
 
-/// What this thread has used. A host is not to blame for the time that other programs take in its
-/// turn.
+/// Returns the processor time of this thread. The time of other programs does not count.
 std::chrono::nanoseconds processor_time() noexcept
 {
     timespec time = {};
@@ -40,7 +39,7 @@ void Turn::ready()
     if (waits_ || turns_.running_ == this)
         return;
     if (rank_ == Rank::First && turns_.waiting_.empty() && turns_.running_ == nullptr)
-        return turns_.run(*this); // nobody else has anything to do
+        return turns_.run(*this); // no other host waits
     used_ = std::max(used_, turns_.used_);
     waits_ = true;
     turns_.waiting_.push_back(this);
@@ -61,7 +60,7 @@ Turn& Turns::next() const
 void Turns::run_next()
 {
     soon_ = false;
-    if (waiting_.empty()) // who waited has gone
+    if (waiting_.empty()) // the host that waited has left
         return;
     Turn& turn = next();
     std::erase(waiting_, &turn);
@@ -75,7 +74,7 @@ void Turns::run(Turn& turn)
 {
     using Clock = std::chrono::steady_clock;
     const auto processor_before = processor_time();
-    if (turn.rank_ == Rank::Equal) // the serial port's turns are more than an equal share
+    if (turn.rank_ == Rank::Equal) // the serial port may get more than an equal share
         used_ = std::max(used_, turn.used_);
     last_ = &turn;
     running_ = &turn;
@@ -90,7 +89,7 @@ void Turns::run(Turn& turn)
     }
 }
 
-/// After what the loop has found ready already, so that a host that has just spoken is known.
+/// The turn starts after all events that are already ready, so that all hosts with work are known.
 void Turns::run_soon()
 {
     if (std::exchange(soon_, true))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Lets another thread have a handler called on the event loop.
+/// Lets another thread call a handler on the event loop.
 #pragma once
 
 #include "base/unique_fd.hpp"
@@ -33,7 +33,8 @@ class WakeUp
     WakeUp(const WakeUp&) = delete;
     WakeUp& operator=(const WakeUp&) = delete;
 
-    /// From any thread: the handler is called soon, once for any number of calls before that.
+    /// Any thread may call this function. The loop calls the handler once for all calls before
+    /// that.
     void notify() const noexcept
     {
         const std::uint64_t one = 1;

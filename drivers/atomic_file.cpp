@@ -20,7 +20,7 @@ namespace
 constexpr int most_set_aside = 100;
 constexpr std::size_t longest_name = 255;
 
-/// `number` counts from 1. A name that would be too long is cut at its end.
+/// `number` counts from 1. A name that would be too long is cut.
 std::string set_aside_name(const std::filesystem::path& path, int number)
 {
     const std::string ending = number == 1 ? ".bad" : ".bad-" + std::to_string(number);
@@ -28,12 +28,12 @@ std::string set_aside_name(const std::filesystem::path& path, int number)
     return (path.parent_path() / (name.substr(0, longest_name - ending.size()) + ending)).string();
 }
 
-/// Fails with EEXIST where `to` is there.
-bool rename_to_free(const char* from, const char* to) noexcept
+/// Renames `from`. Fails with EEXIST if `to` exists.
+bool rename_if_free(const char* from, const char* to) noexcept
 {
     if (::renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0)
         return true;
-    if (errno != EINVAL && errno != ENOSYS) // some file systems cannot do it, NFS among them
+    if (errno != EINVAL && errno != ENOSYS) // some file systems, such as NFS, cannot do it
         return false;
     return ::link(from, to) == 0 && ::unlink(from) == 0;
 }
@@ -43,17 +43,17 @@ bool rename_to_free(const char* from, const char* to) noexcept
 Result<void> replace_file(const std::string& path, std::span<const std::uint8_t> bytes,
                           Durability durability)
 {
-    auto file = UnfinishedFile::open(path);
+    auto file = TemporaryFile::open(path);
     if (!file)
         return fail(file.error());
     if (auto written = file->write(bytes); !written)
         return written;
-    return file->finish(durability);
+    return file->commit(durability);
 }
 
 Result<std::string> read_file(const std::string& path, std::size_t limit)
 {
-    struct stat info = {}; // before it is opened: that alone sets some devices going
+    struct stat info = {}; // checked before open(), because opening a device may start it
     if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
         return fail(not_a_file(path, info.st_mode));
     const UniqueFd fd(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
@@ -83,7 +83,7 @@ Result<std::string> set_aside(const std::string& path)
         return fail(target.error());
     for (int number = 1; number <= most_set_aside; ++number) {
         const std::string name = set_aside_name(target->path, number);
-        if (rename_to_free(target->path.c_str(), name.c_str()))
+        if (rename_if_free(target->path.c_str(), name.c_str()))
             return name;
         if (errno != EEXIST)
             break;

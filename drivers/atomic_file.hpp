@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Whole files: read at once, or replaced so that a reader sees the old or the new one, never a
-/// part. Only ordinary files are read and replaced, so that nothing here waits for another process.
+/// Reads and replaces whole files. A file is replaced by an atomic rename, so a reader sees the old
+/// or the new one. Only ordinary files are accepted, so nothing here waits for another process.
 #pragma once
 
 #include "base/result.hpp"
-#include "base/unfinished_file.hpp"
+#include "base/temporary_file.hpp"
 
 #include <cstdint>
 #include <span>
@@ -17,20 +17,20 @@ namespace raymarch::drivers
 
 using raymarch::Durability;
 
-/// Writes beside the file and renames over it; UnfinishedFile says what is kept of the old one.
-/// Errors: InputOutput; the old content stays.
+/// Replaces the file by way of a TemporaryFile, which tells what the new file keeps of the old one.
+/// Errors: InputOutput.
 [[nodiscard]] Result<void> replace_file(const std::string& path,
                                         std::span<const std::uint8_t> bytes, Durability durability);
 
-/// The whole content. Errors: Unavailable (cannot be opened; `number` is ENOENT where there is no
-/// such file), InputOutput (not an ordinary file, or it cannot be read); BadData when it is larger
-/// than `limit` bytes.
+/// Returns the whole content. Errors: Unavailable (the file cannot be opened; `number` is ENOENT if
+/// it does not exist), InputOutput (it is not an ordinary file, or cannot be read), BadData (it is
+/// larger than `limit` bytes).
 [[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t limit);
 
-/// Moves a file that is of no use out of the way, without writing over anything: to `path`.bad,
-/// `path`.bad-2 and so on; a link is followed, and stays. Returns the new name.
-/// Errors: Unavailable (there is no file), InputOutput (not an ordinary file, the folder takes no
-/// new name, no name is free).
+/// Renames a file that cannot be used to the first free name of `path`.bad, `path`.bad-2 and so on.
+/// If `path` is a symbolic link, the file that it leads to is renamed. Returns the new name.
+/// Errors: Unavailable (there is no file), InputOutput (it is not an ordinary file, the rename
+/// failed, or no name is free).
 [[nodiscard]] Result<std::string> set_aside(const std::string& path);
 
 [[nodiscard]] inline std::span<const std::uint8_t> as_bytes(std::string_view text) noexcept

@@ -16,7 +16,7 @@ namespace
 
 struct Watched
 {
-    std::atomic<std::uintptr_t> base = 0; ///< 0: a free place
+    std::atomic<std::uintptr_t> base = 0; ///< 0 if the entry is free
     std::atomic<std::size_t> length = 0;
     std::atomic<bool> faulted = false;
 };
@@ -25,30 +25,30 @@ static_assert(std::atomic<std::uintptr_t>::is_always_lock_free, "the handler may
 std::array<Watched, max_watched_mappings> watched; // NOLINT: a signal handler has no other state
 struct sigaction previous = {};
 
-/// How many signals without a place are let pass in a second. A person or a script sends a few; a
-/// fault that is run into again each time the handler returns comes a million times.
-constexpr unsigned most_strays = 1000;
-std::atomic<unsigned> stray_second = 0; // NOLINT: a signal handler has no other state
-std::atomic<unsigned> strays = 0;       // NOLINT: the same
+/// The most signals without an address that are ignored in a second. A person or a script sends a
+/// few. A fault that repeats each time the handler returns raises a million.
+constexpr unsigned max_ignored = 1000;
+std::atomic<unsigned> ignored_second = 0; // NOLINT: a signal handler has no other state
+std::atomic<unsigned> ignored = 0;        // NOLINT: a signal handler has no other state
 static_assert(std::atomic<unsigned>::is_always_lock_free, "the handler may not lock");
 
-/// kill(2) says SI_USER or another code that is not above 0. ARM says the same of external aborts:
-/// of one that is late (a store that the bus refused when the processor was already further) the
-/// address means nothing, and the read-back of the registers finds what was lost; so both are let
-/// pass. But an abort that is not late happens again at once, for ever: that has to end.
-bool may_be_let_pass(const siginfo_t& info) noexcept
+/// A signal from kill(2) has a code of at most 0, and so has an external abort on ARM. An imprecise
+/// abort comes after the store that caused it, so its address means nothing. Both are ignored; the
+/// read-back of the registers finds a lost store. A precise abort repeats for ever, so the number
+/// of ignored signals is limited.
+bool may_be_ignored(const siginfo_t& info) noexcept
 {
     if (info.si_code > 0)
-        return false; // the kernel means an access of ours, at an address
+        return false; // an access of this process faulted at the address
     timespec now = {};
     ::clock_gettime(CLOCK_MONOTONIC, &now);
     const auto second = static_cast<unsigned>(now.tv_sec);
-    if (stray_second.exchange(second) != second)
-        strays = 0;
-    return ++strays <= most_strays;
+    if (ignored_second.exchange(second) != second)
+        ignored = 0;
+    return ++ignored <= max_ignored;
 }
 
-/// Only calls that are safe in a handler: mmap is a bare system call.
+/// Makes only calls that are safe in a signal handler; mmap() is a plain system call.
 void on_bus_fault(int number, siginfo_t* info, void* context)
 {
     const auto at = reinterpret_cast<std::uintptr_t>(info->si_addr);
@@ -56,7 +56,7 @@ void on_bus_fault(int number, siginfo_t* info, void* context)
         const std::uintptr_t base = place.base;
         if (base == 0 || at < base || at >= base + place.length)
             continue;
-        // An atomic number, as a handler may read it. NOLINTBEGIN(performance-no-int-to-ptr)
+        // The handler may read atomic numbers. NOLINTBEGIN(performance-no-int-to-ptr)
         void* const zeros =
             ::mmap(reinterpret_cast<void*>(base), place.length, PROT_READ | PROT_WRITE,
                    MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);
@@ -66,9 +66,10 @@ void on_bus_fault(int number, siginfo_t* info, void* context)
         place.faulted = true;
         return;
     }
-    if (may_be_let_pass(*info))
+    if (may_be_ignored(*info))
         return;
-    // Not ours: whoever was here before (a sanitizer, or the default that ends the process).
+    // The previous handler takes any other fault: a sanitizer, or the default that ends the
+    // process.
     if ((previous.sa_flags & SA_SIGINFO) != 0 && previous.sa_sigaction != nullptr) {
         previous.sa_sigaction(number, info, context);
         return;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Turns SIGBUS inside a watched mapping into zeros and a flag.
+/// Handles SIGBUS inside watched mappings.
 ///
-/// A mapped file that is truncated, or a device that is taken away, answers the next access with
-/// SIGBUS. Ending the service would be a crash on bad input; so the handler lays a page of zeros
-/// over the hole and the access goes on. A SIGBUS that somebody sends (kill -BUS) changes nothing;
-/// a fault at any other place ends the process as ever.
+/// If a mapped file is truncated or a device is removed, the next access raises SIGBUS. So that the
+/// service does not crash, the handler maps zeros in place of the mapping and sets a flag. A SIGBUS
+/// that somebody sends (kill -BUS) is ignored. A fault at any other address ends the process.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +14,11 @@ namespace raymarch::drivers
 
 inline constexpr std::size_t max_watched_mappings = 8;
 
-/// Starts to watch; installs the handler the first time. False when all places are taken.
+/// Watches a mapping. The first call installs the handler. Returns false if the table is full.
 [[nodiscard]] bool watch_mapping(void* base, std::size_t length) noexcept;
-/// Stops to watch; before the mapping is undone.
+/// Call this function before munmap().
 void unwatch_mapping(const void* base) noexcept;
-/// Whether an access to the mapping at `base` has faulted.
+/// Returns whether an access to the mapping at `base` has faulted.
 [[nodiscard]] bool mapping_faulted(const void* base) noexcept;
 
 } // namespace raymarch::drivers

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// From the edges of a bouncing contact to presses and releases. No clock of its own: it compares
-/// the times of the edges, so that nothing is lost when they are read late and together.
+/// Turns the edges of a bouncing contact into presses and releases. It compares the times of the
+/// edges and reads no clock, so no press is lost if several edges are read late.
 #pragma once
 
 #include <chrono>
@@ -10,50 +10,54 @@
 namespace raymarch::drivers
 {
 
-/// A level counts once it has lasted for `settle`.
+/// Accepts a level when it has been stable for `settle_time`.
 class Debouncer
 {
   public:
     using Time = std::chrono::nanoseconds;
 
-    /// `level` is taken to have lasted already.
-    Debouncer(Time settle, bool level) noexcept : settle_(settle), level_(level), latest_(level) {}
+    /// `level` is accepted at once.
+    Debouncer(Time settle_time, bool level) noexcept
+        : settle_time_(settle_time)
+        , accepted_(level)
+        , newest_(level)
+    {}
 
-    /// The level that counts.
-    [[nodiscard]] bool level() const noexcept { return level_; }
+    /// Returns the accepted level.
+    [[nodiscard]] bool level() const noexcept { return accepted_; }
 
-    /// An edge to `level` at `at`. What it says of the level before it: the new level that counts,
-    /// or nothing when that has not changed. Call it for each edge, in their order.
+    /// Call this function for each edge in order. If the level before the edge was stable and is
+    /// new, it is accepted and returned.
     [[nodiscard]] std::optional<bool> edge(bool level, Time at) noexcept
     {
-        const std::optional<bool> lasted =
-            at - since_ >= settle_ ? count(latest_) : std::optional<bool>();
-        latest_ = level;
-        since_ = at;
-        return lasted;
+        const std::optional<bool> stable =
+            at - newest_edge_ >= settle_time_ ? accept(newest_) : std::optional<bool>();
+        newest_ = level;
+        newest_edge_ = at;
+        return stable;
     }
 
-    /// No edge has come for `settle`, and the line reads `level`: the new level that counts, or
-    /// nothing when that has not changed. Edges that the system dropped are made up for here.
-    [[nodiscard]] std::optional<bool> quiet(bool level) noexcept
+    /// Call this function with the sampled level if no edge came for `settle_time`. A new level is
+    /// accepted and returned, even if the system dropped its edge.
+    [[nodiscard]] std::optional<bool> sample(bool level) noexcept
     {
-        latest_ = level;
-        return count(level);
+        newest_ = level;
+        return accept(level);
     }
 
   private:
-    std::optional<bool> count(bool level) noexcept
+    std::optional<bool> accept(bool level) noexcept
     {
-        if (level == level_)
+        if (level == accepted_)
             return std::nullopt;
-        level_ = level;
+        accepted_ = level;
         return level;
     }
 
-    Time settle_;
-    bool level_;  ///< that counts
-    bool latest_; ///< after the newest edge, at since_
-    Time since_{};
+    Time settle_time_;
+    bool accepted_;
+    bool newest_; ///< the level after the newest edge
+    Time newest_edge_{};
 };
 
 } // namespace raymarch::drivers

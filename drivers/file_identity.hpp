@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Which file it is, whatever its name: to tell one's own from what others have put in its place.
+/// Identifies a file whatever its name is, to detect that another file has replaced it.
 #pragma once
 
 #include <sys/stat.h>
@@ -18,7 +18,7 @@ struct FileIdentity
     bool operator==(const FileIdentity&) const = default;
 };
 
-/// The file behind a descriptor; nothing when there is none.
+/// Returns nothing if the descriptor is not open.
 [[nodiscard]] inline std::optional<FileIdentity> identity_of(int fd) noexcept
 {
     struct stat info = {};
@@ -27,8 +27,7 @@ struct FileIdentity
     return FileIdentity{info.st_dev, info.st_ino};
 }
 
-/// The file that has a name now, where a symbolic link counts as itself; nothing when there is
-/// none.
+/// Does not follow a symbolic link. Returns nothing if there is no such file.
 [[nodiscard]] inline std::optional<FileIdentity> identity_of_link(const std::string& path) noexcept
 {
     struct stat info = {};

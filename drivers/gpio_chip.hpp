@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What this project needs of libgpiod, whose series 1 and 2 have different interfaces: one file
-/// for each of the two has these functions, and CMake takes the one that fits what is installed.
+/// Access to libgpiod. Its versions 1 and 2 have different interfaces: gpio_chip_1.cpp and
+/// gpio_chip_2.cpp define the same functions, and CMake takes the file for the installed version.
 ///
-/// They throw std::system_error or another std::exception, as libgpiod does; guarded() turns that
-/// into an Error. Chips are opened by their paths.
+/// The functions throw std::system_error or another std::exception, as libgpiod does. guarded()
+/// turns an exception into an Error. A chip is opened by its path.
 #pragma once
 
 #include "base/result.hpp"
@@ -25,34 +25,35 @@
 namespace raymarch::drivers
 {
 
-/// The name under which the kernel shows the lines that are in use.
+/// The kernel shows this name as the user of a line.
 inline constexpr const char* gpio_consumer = "raymarchd";
 
-/// The offset of the chip's line of that name; nothing when it has none.
+/// Returns the offset of the line on the chip, or nothing if it has no line of that name.
 [[nodiscard]] std::optional<unsigned> find_named_line(const std::string& chip,
                                                       const std::string& name);
 
 [[nodiscard]] std::string label_of_chip(const std::string& chip);
 
-/// Requests the line at `offset` as open_gpio_line() promises; `name` is for messages.
+/// Requests the line at `offset` for open_gpio_line(); `name` is for messages.
 [[nodiscard]] std::unique_ptr<Pin> request_line(const std::string& chip, unsigned offset,
                                                 const LineSpec& spec, LineUse use,
                                                 const std::string& name);
 
-/// Whether an edge can be taken without waiting; false for a line without edges, whose fd is -1.
+/// Returns whether an edge can be read without waiting; false if the line has no edges (fd -1).
 [[nodiscard]] inline bool edge_waits(int edge_fd) noexcept
 {
     pollfd waiting = {.fd = edge_fd, .events = POLLIN, .revents = 0};
     return edge_fd >= 0 && ::poll(&waiting, 1, 0) > 0;
 }
 
-/// Whether the kernel refused edges because the line has no interrupt: such a line is polled.
+/// Returns whether the kernel refused edges because the line has no interrupt. Such a line is
+/// polled.
 [[nodiscard]] inline bool has_no_interrupt(const std::system_error& error) noexcept
 {
     return error.code().value() == ENODEV || error.code().value() == ENXIO;
 }
 
-/// Calls `action`; what it throws is an error of that kind, about `subject`.
+/// Calls `action` and turns an exception into an Error about `subject`.
 template <typename Action>
 auto guarded(ErrorKind kind, const std::string& subject, Action action)
     -> Result<decltype(action())>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// libgpiod 1.6 (Debian 12, Ubuntu 22.04 and 24.04).
+/// Uses libgpiod 1.6 (Debian 12, Ubuntu 22.04 and 24.04).
 #include "drivers/gpio_chip.hpp"
 
 #include <gpiod.hpp>
@@ -68,7 +68,7 @@ class GpioLine final : public Pin
     }
 
   private:
-    gpiod::line line_; ///< releases the line with its chip
+    gpiod::line line_; ///< its destructor releases the line
     std::string name_;
     int edge_fd_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// libgpiod 2 (Debian 13).
+/// Uses libgpiod 2 (Debian 13).
 #include "drivers/gpio_chip.hpp"
 
 #include <gpiod.hpp>
@@ -91,7 +91,7 @@ class GpioLine final : public Pin
     }
 
   private:
-    gpiod::line_request request_; ///< releases the line
+    gpiod::line_request request_; ///< its destructor releases the line
     unsigned offset_;
     std::string name_;
     int edge_fd_;

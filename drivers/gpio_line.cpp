@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Finds the line that a setting names. Chips are listed from sysfs: libgpiod's own search reads
-/// /dev with 32-bit offsets, which fails where a 32-bit program runs on a 64-bit file system.
+/// Finds the line that a setting names. The chips are listed from sysfs, because libgpiod reads
+/// /dev with 32-bit offsets, which fails if a 32-bit program runs on a 64-bit file system.
 #include "drivers/gpio_line.hpp"
 
 #include "drivers/gpio_chip.hpp"
@@ -26,14 +26,14 @@ constexpr const char* chips_folder = "/sys/bus/gpio/devices";
 
 struct FoundLine
 {
-    std::string chip; ///< its path
+    std::string chip; ///< the path of the chip
     unsigned offset = 0;
 };
 
 std::vector<std::string> chip_paths()
 {
     std::vector<std::string> paths;
-    std::error_code ignored; // no such folder: no chip
+    std::error_code ignored; // without the folder there is no chip
     for (const fs::directory_entry& entry : fs::directory_iterator(chips_folder, ignored))
         paths.push_back("/dev/" + entry.path().filename().string());
     std::ranges::sort(paths);
@@ -45,8 +45,8 @@ Error missing(std::string message)
     return plain_error(ErrorKind::Unavailable, std::move(message));
 }
 
-/// The first chip for which `offset_in` gives an offset. A chip that cannot be opened is passed
-/// over, and named when no other has the line.
+/// Returns the first chip for which `offset_in` gives an offset. A chip that cannot be opened is
+/// skipped, and named in the error if no other chip has the line.
 template <typename OffsetIn>
 Result<FoundLine> search(const std::string& what, OffsetIn offset_in)
 {

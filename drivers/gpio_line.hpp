@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A Pin over the kernel's GPIO character devices, by libgpiod.
+/// Opens a GPIO line with libgpiod.
 #pragma once
 
 #include "base/result.hpp"
@@ -15,11 +15,10 @@ namespace raymarch::drivers
 
 enum class LineUse : std::uint8_t { Input, Output };
 
-/// Requests the first of the line's places that is there, for this process alone. An output starts
-/// dark (inactive); an input reports both edges where its chip has an interrupt for it.
-/// Errors: Unavailable, with ENODEV when this machine has no GPIO chip at all: no line of that
-/// name, no chip of that label or path, no such offset, a line that is in use, or a wiring that the
-/// chip does not have.
+/// Requests the first place in `spec` that exists; the line is exclusive to this process. An output
+/// starts inactive. An input reports both edges if its chip has an interrupt for it.
+/// Errors: Unavailable (no such line, chip or offset; the line is in use; the chip cannot wire it
+/// that way). `number` is ENODEV if this machine has no GPIO chip.
 [[nodiscard]] Result<std::unique_ptr<Pin>> open_gpio_line(const LineSpec& spec, LineUse use);
 
 } // namespace raymarch::drivers

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// When an LED is lit that beats or blinks.
+/// The patterns of LEDs: a heartbeat, and a blink for each event.
 #pragma once
 
 #include <chrono>
@@ -9,20 +9,20 @@
 namespace raymarch::drivers
 {
 
-/// Two short beats a second, `since` any beginning.
-[[nodiscard]] constexpr bool heartbeat(std::chrono::milliseconds since) noexcept
+/// Returns whether the LED is lit at `time`. It beats twice a second.
+[[nodiscard]] constexpr bool heartbeat(std::chrono::milliseconds time) noexcept
 {
-    const auto phase = since.count() % 1000;
+    const auto phase = time.count() % 1000;
     return phase < 100 || (phase >= 200 && phase < 300);
 }
 
-/// Blinks when a count has moved on: lit from one look to the next, then dark for one at least, so
-/// that a stream of events is a flicker and no steady light.
+/// Lights an LED from one sample to the next if a count has changed. The LED is then dark for at
+/// least one sample, so that a stream of events flickers.
 class Blinker
 {
   public:
-    /// Whether the LED is lit from now to the next look.
-    [[nodiscard]] bool look(std::uint64_t count) noexcept
+    /// Returns whether the LED is lit until the next sample.
+    [[nodiscard]] bool sample(std::uint64_t count) noexcept
     {
         lit_ = !lit_ && count != seen_;
         if (lit_)

@@ -31,7 +31,7 @@ std::string_view trim(std::string_view text)
     return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// The text before the first of the separators, which stays in `rest`.
+/// Takes the text before the first separator. The separator stays in `rest`.
 std::string_view take_until(std::string_view& rest, std::string_view separators)
 {
     const std::string_view part = rest.substr(0, rest.find_first_of(separators));
@@ -39,7 +39,8 @@ std::string_view take_until(std::string_view& rest, std::string_view separators)
     return part;
 }
 
-/// What stands between quotes; two of them inside are one. Nothing when the last is missing.
+/// Takes the text between two quotes. A doubled quote inside is one quote. Returns nothing if the
+/// last quote is missing.
 std::optional<std::string> take_quoted(std::string_view& rest)
 {
     std::string text;
@@ -63,8 +64,8 @@ std::optional<unsigned> read_offset(std::string_view digits)
     return read.ec == std::errc{} && read.ptr == end ? std::optional(offset) : std::nullopt;
 }
 
-/// A name may hold colons: only one with a number behind it parts chip and offset.
-LinePlace plain_place(std::string_view text)
+/// A name may contain colons. Only a last colon before a number separates chip and offset.
+LinePlace unquoted_place(std::string_view text)
 {
     const std::size_t colon = text.rfind(':');
     if (colon != std::string_view::npos)
@@ -73,7 +74,7 @@ LinePlace plain_place(std::string_view text)
     return {.name = std::string(text), .chip = {}};
 }
 
-/// Up to the next place, the first option or the end.
+/// Takes the text up to the next place, the first option or the end.
 std::optional<LinePlace> take_place(std::string_view& rest)
 {
     constexpr std::string_view ends = "|,";
@@ -90,7 +91,7 @@ std::optional<LinePlace> take_place(std::string_view& rest)
         else
             place.name = std::move(*text);
     } else {
-        place = plain_place(trim(take_until(rest, ends)));
+        place = unquoted_place(trim(take_until(rest, ends)));
     }
     return place.name.empty() && place.chip.empty() ? std::nullopt : std::optional(place);
 }
@@ -136,11 +137,11 @@ std::string to_string(const LinePlace& place)
 {
     const bool named = place.chip.empty();
     const std::string& text = named ? place.name : place.chip;
-    const bool is_plain = text.find_first_of("|,") == std::string::npos &&
-                          !text.starts_with(quote) && trim(text) == text && text != "none" &&
-                          (!named || plain_place(text) == place);
+    const bool needs_no_quotes = text.find_first_of("|,") == std::string::npos &&
+                                 !text.starts_with(quote) && trim(text) == text && text != "none" &&
+                                 (!named || unquoted_place(text) == place);
     std::string written;
-    if (is_plain) {
+    if (needs_no_quotes) {
         written = text;
     } else {
         for (const char c : text)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Which GPIO line is meant and how it is wired, as a configuration writes it.
+/// Reads the GPIO lines of the configuration: where a line is and how it is wired.
 #pragma once
 
 #include "base/result.hpp"
@@ -14,11 +14,11 @@
 namespace raymarch::drivers
 {
 
-/// Where one line is: its name, or a chip and the position of the line on it.
+/// A line is found by its name, or by a chip and an offset.
 struct LinePlace
 {
-    std::string name; ///< of the line; empty where the chip is given
-    std::string chip; ///< a label, or a path when it begins with '/'
+    std::string name; ///< empty if the chip is given
+    std::string chip; ///< a label, or a path if it begins with '/'
     unsigned offset = 0;
     bool operator==(const LinePlace&) const = default;
 };
@@ -27,24 +27,24 @@ enum class Pull : std::uint8_t { AsIs, Up, Down, None };
 
 struct LineSpec
 {
-    std::vector<LinePlace> places; ///< looked for in this order, at least one
+    std::vector<LinePlace> places; ///< at least one; they are tried in this order
     bool active_low = false;
     Pull pull = Pull::AsIs;
     bool operator==(const LineSpec&) const = default;
 };
 
-/// How parse_line_spec() wants it.
+/// The syntax of parse_line_spec(), for messages.
 inline constexpr std::string_view line_spec_syntax =
     "NAME or CHIP:OFFSET, several with | between them, then ,active-low and ,pull-up, ,pull-down "
-    "or ,no-pull; a NAME that could be misread stands between ' and '";
+    "or ,no-pull; a NAME that could be misread needs a ' before and after it";
 
-/// `PLACE[|PLACE…][,active-low][,pull-up|,pull-down|,no-pull]`, PLACE being `NAME` or
-/// `CHIP:OFFSET`. Names and chips may hold blanks; those around them do not count. Between two `'`
-/// any character stands for itself, and `''` for `'`: so a name may hold a comma, or end like an
-/// offset. Nothing when the text is not such, or has control characters.
+/// Reads `PLACE[|PLACE…][,active-low][,pull-up|,pull-down|,no-pull]`; a PLACE is `NAME` or
+/// `CHIP:OFFSET`. Blanks around names and chips are ignored. Between two `'` every character stands
+/// for itself, except that `''` is one `'`: a quoted name may contain a comma or end like an
+/// offset. Returns nothing if the syntax is wrong or the text has control characters.
 [[nodiscard]] std::optional<LineSpec> parse_line_spec(std::string_view text);
 
-/// The place as a configuration writes it.
+/// Writes the place as the configuration does.
 [[nodiscard]] std::string to_string(const LinePlace& place);
 
 } // namespace raymarch::drivers

@@ -23,8 +23,8 @@ namespace
 namespace fs = std::filesystem;
 
 /// A lock of flock() does not tell which process holds it. A lock of fcntl() does, but the kernel
-/// drops it when the process closes any descriptor of the file. So flock() keeps other processes
-/// out, and a lock of fcntl() beside it only tells them who the holder is.
+/// drops it when the process closes any descriptor of the file. So flock() locks the file, and an
+/// additional lock of fcntl() only tells other processes who holds it.
 struct flock holder_lock(short type) noexcept
 {
     struct flock lock = {};
@@ -40,8 +40,8 @@ void publish_holder(int fd) noexcept
     static_cast<void>(::fcntl(fd, F_SETLK, &lock));
 }
 
-/// Returns "process 12 (raymarchd)". The name is missing where /proc hides it. The result is
-/// "another process" where the kernel gives no number, as for a process in another container.
+/// Returns "process 12 (raymarchd)". The name is missing if /proc hides it. The result is "another
+/// process" if the kernel gives no number, as for a process in another container.
 std::string holder_of(int fd)
 {
     struct flock lock = holder_lock(F_WRLCK);
@@ -53,9 +53,9 @@ std::string holder_of(int fd)
     return "process " + number + (name.empty() ? "" : " (" + name + ")");
 }
 
-/// Returns the place where a file of that name is or will be. weakly_canonical() alone would not
-/// follow a link whose target does not exist yet.
-std::string real_place(const std::string& path)
+/// Returns the path of the file that `path` leads to. weakly_canonical() alone does not follow a
+/// link to a file that does not exist yet.
+std::string real_path_of(const std::string& path)
 {
     const std::string end = end_of_links(path);
     std::error_code error;
@@ -65,7 +65,7 @@ std::string real_place(const std::string& path)
 
 Result<UniqueFd> open_lock_file(const std::string& path)
 {
-    // Reading is enough for the lock, and is allowed where the file belongs to another user.
+    // Reading is enough for the lock, and is often allowed if the file belongs to another user.
     UniqueFd fd(
         ::open(path.c_str(), O_RDONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0644));
     if (!fd)
@@ -74,7 +74,7 @@ Result<UniqueFd> open_lock_file(const std::string& path)
     if (::fstat(fd.get(), &info) != 0)
         return fail(errno_error(ErrorKind::InputOutput, "stat", path));
     if (!S_ISREG(info.st_mode))
-        return fail(plain_error(ErrorKind::InputOutput, path + " is there and is no lock file"));
+        return fail(plain_error(ErrorKind::InputOutput, path + " exists and is not a lock file"));
     return fd;
 }
 
@@ -105,22 +105,22 @@ Result<LockFile> LockFile::take(const std::string& path)
             return fail(fd.error());
         if (auto locked = lock_descriptor(fd->get(), path); !locked)
             return fail(locked.error());
-        // The last holder may have removed the file before we locked it. Another process would then
-        // make and lock a new one, so the lock of the old one is worth nothing.
+        // The last holder may have removed the file before it was locked here. Another process can
+        // then lock a new file of that name, so a lock of the old file is useless.
         if (identity_of(fd->get()) == identity_of_link(path))
             return LockFile(std::move(*fd), path);
     }
 }
 
-Result<LockFile> LockFile::beside(const std::string& path)
+Result<LockFile> LockFile::take_for(const std::string& path)
 {
-    const std::string file = real_place(path);
+    const std::string file = real_path_of(path);
     std::error_code error;
     const fs::file_status there = fs::status(file, error);
     if (fs::exists(there) && !fs::is_regular_file(there))
         return LockFile();
     auto lock = take(file + ".lock");
-    if (!lock && held_by_another(lock.error())) // the message is to name what the user named
+    if (!lock && held_by_another(lock.error())) // the message names the path as given
         lock.error().message.replace(0, file.size() + std::string_view(".lock").size(), path);
     return lock;
 }
@@ -140,8 +140,8 @@ LockFile::~LockFile()
     release();
 }
 
-/// Removes the file while it is still locked, so that a process that has opened it meanwhile sees
-/// that it has no name any more. A file that is not empty belongs to the user and stays.
+/// Removes the file while it is locked, so that a process that has opened it meanwhile sees that
+/// the name is gone. A file that is not empty belongs to the user and stays.
 void LockFile::release() noexcept
 {
     struct stat info = {};

@@ -23,15 +23,15 @@ std::size_t page_size() noexcept
     return static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// Whether a UIO device has an interrupt line: only then can it be unmasked.
+/// Returns false if the UIO device has no interrupt.
 bool unmask_interrupt(int fd) noexcept
 {
     const std::uint32_t on = 1;
     return ::write(fd, &on, sizeof on) == static_cast<ssize_t>(sizeof on);
 }
 
-/// Two services on one block would overwrite each other's words. Where the file system has no locks
-/// the window is used without one.
+/// Locks the window, because two services would overwrite each other's words. On a file system
+/// without locks the window is used without one.
 Result<void> claim(int fd, const std::string& name)
 {
     auto locked = lock_descriptor(fd, name);
@@ -95,7 +95,7 @@ Result<std::unique_ptr<MappedWindow>> MappedWindow::open_uio(const UioDevice& de
 Result<std::unique_ptr<MappedWindow>> MappedWindow::open_file(const std::string& path,
                                                               std::size_t bytes)
 {
-    struct stat info = {}; // before it is opened: that alone sets some devices going
+    struct stat info = {}; // checked before open(), because opening a device may start it
     if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
         return fail(plain_error(ErrorKind::Unavailable, not_a_file(path, info.st_mode).message));
     UniqueFd fd(::open(path.c_str(), O_RDWR | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0644));
@@ -105,7 +105,7 @@ Result<std::unique_ptr<MappedWindow>> MappedWindow::open_file(const std::string&
         return fail(errno_error(ErrorKind::InputOutput, "stat", path));
     if (!S_ISREG(info.st_mode))
         return fail(plain_error(ErrorKind::Unavailable, not_a_file(path, info.st_mode).message));
-    if (auto claimed = claim(fd.get(), path); !claimed) // before it is changed in any way
+    if (auto claimed = claim(fd.get(), path); !claimed) // before the file changes
         return fail(claimed.error());
     if (info.st_size < static_cast<off_t>(bytes) &&
         ::ftruncate(fd.get(), static_cast<off_t>(bytes)) != 0)
@@ -126,8 +126,8 @@ void MappedWindow::write(RegOffset at, std::uint32_t word) noexcept
 {
     assert(at.bytes % 4 == 0 && mapping_.offset + at.bytes + 4 <= mapping_.length);
     auto* const bytes = static_cast<std::byte*>(mapping_.base);
-    // Released: whoever sees this word, hardware or a process at the same file, sees those written
-    // before it. COMMIT relies on that.
+    // Release order: hardware or a process that sees this word also sees all words written before
+    // it. COMMIT relies on that.
     __atomic_store_n(reinterpret_cast<volatile std::uint32_t*>(bytes + mapping_.offset + at.bytes),
                      word, __ATOMIC_RELEASE);
 }
@@ -139,7 +139,7 @@ int MappedWindow::interrupt_fd() const noexcept
 
 void MappedWindow::arm_interrupt() noexcept
 {
-    // A device that has lost its line reports that at the next read.
+    // If the device has lost its interrupt, the next read reports it.
     if (has_interrupt_)
         static_cast<void>(unmask_interrupt(fd_.get()));
 }
@@ -157,8 +157,8 @@ bool MappedWindow::lost() const noexcept
     return mapping_faulted(mapping_.base) || !still_there();
 }
 
-/// A mapping keeps a removed file alive, and shows zeros, not a fault, behind an end that was moved
-/// to the middle of a page. So name and size are looked at.
+/// A mapping keeps a removed file alive. If a file is truncated in the middle of a page, the rest
+/// of the page reads as zeros without a fault. So the name and the size are checked.
 bool MappedWindow::still_there() const noexcept
 {
     struct stat opened = {};
@@ -166,8 +166,7 @@ bool MappedWindow::still_there() const noexcept
     if (::fstat(fd_.get(), &opened) != 0)
         return false;
     if (::stat(name_.c_str(), &named) != 0)
-        return errno != ENOENT &&
-               errno != ENOTDIR; // a folder that may not be searched tells nothing
+        return errno != ENOENT && errno != ENOTDIR; // EACCES, for example, tells nothing
     if (opened.st_dev != named.st_dev || opened.st_ino != named.st_ino)
         return false;
     return !S_ISREG(opened.st_mode) ||

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A register window mapped into memory: a UIO device, or an ordinary file through the same code.
+/// Maps a register window into memory: a UIO device, or an ordinary file in its place.
 #pragma once
 
 #include "base/result.hpp"
@@ -18,32 +18,31 @@ namespace raymarch::drivers
 /// One UIO device and its first region, map0.
 struct UioDevice
 {
-    std::string node;          ///< what is opened: `/dev/uio0`
-    std::string name;          ///< what the device tree calls it
-    std::uint64_t address = 0; ///< of the region, physical
-    std::size_t size = 0;      ///< of the region in bytes
-    std::size_t offset = 0;    ///< of the region within its first page
+    std::string node;          ///< `/dev/uio0`
+    std::string name;          ///< its name in the device tree
+    std::uint64_t address = 0; ///< the physical address of the region
+    std::size_t size = 0;      ///< the size of the region in bytes
+    std::size_t offset = 0;    ///< the offset of the region in its first page
 };
 
-/// An open, mapped window; owns the descriptor and the mapping.
+/// An open, mapped window owns its descriptor and its mapping.
 ///
 /// Each access is one aligned 32-bit load or store in program order; nothing is cached or retried.
-/// When the memory behind it goes away (a truncated file, an unbound device) the access that finds
-/// out reads zeros and lost() turns true, in place of SIGBUS ending the process. lost() is true
-/// also when the name leads to something else now (removed, replaced), or the file has become too
-/// short. The file or device is locked as long as the window is open. Not thread-safe: the event
-/// loop is the only user. At most eight windows at a time.
+/// If the memory goes away (a truncated file, an unbound device), loads return zeros and lost()
+/// returns true. lost() is also true if the name leads to another file or to none, or if the file
+/// is too short. The file or device is locked while the window is open. The class is not
+/// thread-safe. At most eight windows can be open.
 class MappedWindow final : public RegisterBus
 {
   public:
-    /// Maps the first region of a UIO device, and lets its first interrupt through where it has a
-    /// line. Errors: Unavailable (a region smaller than `bytes`, found before the device is opened;
-    /// no device; another process has it, as held_by_another() tells), InputOutput.
+    /// Maps the first region of a UIO device, and unmasks its interrupt if it has one. Errors:
+    /// Unavailable (the region is smaller than `bytes`, there is no device, or another process has
+    /// it, as held_by_another() tells), InputOutput.
     [[nodiscard]] static Result<std::unique_ptr<MappedWindow>> open_uio(const UioDevice& device,
                                                                         std::size_t bytes);
 
-    /// Maps an ordinary file of at least `bytes`; made, and filled up with zeros, if need be.
-    /// Errors: Unavailable (also when another process has it, as held_by_another() tells),
+    /// Maps an ordinary file. It is made if it does not exist, and extended with zeros to `bytes`.
+    /// Errors: Unavailable (also if another process has it, as held_by_another() tells),
     /// InputOutput.
     [[nodiscard]] static Result<std::unique_ptr<MappedWindow>> open_file(const std::string& path,
                                                                          std::size_t bytes);
@@ -60,10 +59,10 @@ class MappedWindow final : public RegisterBus
   private:
     struct Mapping
     {
-        void* base;         ///< page-aligned, as mmap gave it
-        std::size_t length; ///< whole pages
-        std::size_t offset; ///< of register 0 from the base
-        std::size_t bytes;  ///< of registers
+        void* base;         ///< page-aligned
+        std::size_t length; ///< a multiple of the page size
+        std::size_t offset; ///< the offset of register 0 from the base
+        std::size_t bytes;  ///< the size of all registers
     };
     MappedWindow(UniqueFd fd, std::string name, Mapping mapping, bool has_interrupt) noexcept;
     [[nodiscard]] static Result<std::unique_ptr<MappedWindow>>

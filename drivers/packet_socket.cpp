@@ -21,7 +21,7 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-/// A burst of a few hundred small frames; the system's default holds fewer of them.
+/// The buffer holds a burst of a few hundred small frames; the system's default does not.
 constexpr int receive_buffer_bytes = 4 << 20;
 
 std::string interface_names()
@@ -41,7 +41,8 @@ Error unavailable(const std::string& interface, const std::string& why)
     return plain_error(ErrorKind::Unavailable, interface + ": " + why);
 }
 
-/// Bound to no protocol yet: a socket that is not bound to an interface would take from all.
+/// The protocol is 0, because the socket would receive the frames of all interfaces before the
+/// bind.
 Result<UniqueFd> make_socket(const std::string& interface)
 {
     UniqueFd fd(::socket(AF_PACKET, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
@@ -53,7 +54,7 @@ Result<UniqueFd> make_socket(const std::string& interface)
     return fail(errno_error(ErrorKind::Unavailable, "make", "a packet socket for " + interface));
 }
 
-/// A bind succeeds on an interface that is down, and nothing ever comes.
+/// bind() succeeds on an interface that is down, so this is checked first.
 bool is_up(int fd, const std::string& interface) noexcept
 {
     ifreq request = {};
@@ -61,7 +62,7 @@ bool is_up(int fd, const std::string& interface) noexcept
     return ::ioctl(fd, SIOCGIFFLAGS, &request) == 0 && (request.ifr_flags & IFF_UP) != 0;
 }
 
-/// Larger than the limit of an ordinary user where that is permitted, else up to the limit.
+/// Exceeds the limit of an ordinary user if that is permitted.
 void enlarge_receive_buffer(int fd) noexcept
 {
     constexpr int size = receive_buffer_bytes;
@@ -82,9 +83,9 @@ Result<void> bind_to(int fd, const std::string& interface, unsigned index)
     membership.mr_type = PACKET_MR_PROMISC;
     if (::bind(fd, generic, size) != 0 || ::getsockname(fd, generic, &size) != 0 ||
         ::setsockopt(fd, SOL_PACKET, PACKET_ADD_MEMBERSHIP, &membership, sizeof membership) != 0)
-        return fail(errno_error(ErrorKind::Unavailable, "take frames of", interface));
+        return fail(errno_error(ErrorKind::Unavailable, "receive frames of", interface));
     if (address.sll_hatype != ARPHRD_ETHER && address.sll_hatype != ARPHRD_LOOPBACK)
-        return fail(unavailable(interface, "is no Ethernet interface"));
+        return fail(unavailable(interface, "it is not an Ethernet interface"));
     return {};
 }
 
@@ -100,7 +101,8 @@ Result<std::unique_ptr<PacketSocket>> PacketSocket::open(const std::string& inte
 {
     const unsigned index = ::if_nametoindex(interface.c_str());
     if (index == 0)
-        return fail(unavailable(interface, "no such interface; there are " + interface_names()));
+        return fail(unavailable(interface, "there is no such interface; the interfaces are " +
+                                               interface_names()));
     auto fd = make_socket(interface);
     if (!fd)
         return fail(fd.error());
@@ -116,10 +118,10 @@ Result<void> PacketSocket::send(std::span<const std::uint8_t> frame)
 {
     const auto deadline = Clock::now() + std::chrono::seconds(1);
     while (::send(fd_.get(), frame.data(), frame.size(), 0) < 0) {
-        const bool full = errno == EAGAIN || errno == ENOBUFS; // the socket, the interface's queue
+        const bool full = errno == EAGAIN || errno == ENOBUFS; // socket or interface queue
         if (errno != EINTR && !(full && Clock::now() < deadline))
             return fail(errno_error(ErrorKind::InputOutput, "send a frame on", interface_));
-        if (full) // of the interface's queue poll knows nothing, so it is only a short pause
+        if (full) // poll() does not see the interface queue, so this only waits
             wait_for(fd_.get(), errno == EAGAIN ? POLLOUT : short{0}, std::chrono::milliseconds(1));
     }
     return {};
@@ -134,7 +136,7 @@ Result<std::optional<std::size_t>> PacketSocket::receive(std::span<std::uint8_t>
         socklen_t from_size = sizeof from;
         const ssize_t size = ::recvfrom(fd_.get(), into.data(), into.size(), 0,
                                         reinterpret_cast<sockaddr*>(&from), &from_size);
-        if (size >= 0 && from.sll_pkttype != PACKET_OUTGOING) // not what this machine sends itself
+        if (size >= 0 && from.sll_pkttype != PACKET_OUTGOING) // the frame is incoming
             return static_cast<std::size_t>(size);
         if (size >= 0 || errno == EINTR)
             continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Raw Ethernet frames on a network interface (packet(7)). Needs CAP_NET_RAW, nothing of libpcap.
+/// Sends and receives raw Ethernet frames (packet(7)). This needs CAP_NET_RAW, but not libpcap.
 #pragma once
 
 #include "base/result.hpp"
@@ -13,12 +13,13 @@
 namespace raymarch::drivers
 {
 
-/// One interface. While it is open the interface takes frames to any address (promiscuous), as the
-/// frames that are of interest here go to an address of nobody's.
+/// While it is open, the interface is in promiscuous mode, because no machine has the address that
+/// the frames go to.
 class PacketSocket final : public FramePort
 {
   public:
-    /// Errors: Unavailable (no such interface, not permitted, down, or not Ethernet).
+    /// Errors: Unavailable (there is no such interface, it is down or not Ethernet, or the user has
+    /// no permission).
     [[nodiscard]] static Result<std::unique_ptr<PacketSocket>> open(const std::string& interface);
 
     [[nodiscard]] Result<void> send(std::span<const std::uint8_t> frame) override;

@@ -10,9 +10,9 @@ namespace
 
 constexpr std::uint32_t micro_magic = 0xA1B2C3D4;
 constexpr std::uint32_t nano_magic = 0xA1B23C4D;
-/// The first word of pcapng, the same in both byte orders.
+/// The first word of pcapng is the same in both byte orders.
 constexpr std::uint32_t pcapng_magic = 0x0A0D0D0A;
-/// 2.4: two numbers of 16 bits, the major one first; as a word with the low byte first.
+/// Version 2.4 is two numbers of 16 bits, the major number first, here as one little-endian word.
 constexpr std::uint32_t version = 4U << 16 | 2U;
 constexpr std::uint32_t ethernet = 1;
 constexpr std::size_t file_header_bytes = 24;
@@ -64,7 +64,7 @@ void PcapWriter::add(std::span<const std::uint8_t> frame, std::chrono::nanosecon
     bytes_.insert(bytes_.end(), frame.begin(), frame.end());
 }
 
-/// The byte order and the unit of time, by the first word; false when it is none of pcap's.
+/// Reads the byte order and the unit of time from the first word. Returns false if it is not pcap.
 bool PcapReader::take_magic() noexcept
 {
     for (const bool high : {false, true}) {
@@ -80,19 +80,19 @@ bool PcapReader::take_magic() noexcept
 Result<PcapReader> PcapReader::open(std::span<const std::uint8_t> bytes, std::string name)
 {
     const auto refuse = [&name](const std::string& why) {
-        return fail(plain_error(ErrorKind::BadData, name + ": " + why));
+        return fail(plain_error(ErrorKind::BadData, name + " " + why));
     };
     PcapReader reader;
     reader.bytes_ = bytes;
     if (bytes.size() >= sizeof pcapng_magic && reader.word(0) == pcapng_magic)
         return refuse("is a pcapng file; editcap -F pcap makes a pcap file of it");
     if (bytes.size() < file_header_bytes || !reader.take_magic())
-        return refuse("is no pcap file");
+        return refuse("is not a pcap file");
     const std::uint32_t versions = reader.word(4);
     const std::uint32_t swapped = versions << 16 | versions >> 16;
     if ((reader.high_byte_first_ ? swapped : versions) != version)
-        return refuse("is a pcap file of another version than 2.4");
-    // The upper half may tell of check sequences; they are recognised without.
+        return refuse("is a pcap file, but its version is not 2.4");
+    // The upper half may tell the length of check sequences; the length is not needed.
     if (const std::uint32_t type = reader.word(20) & 0xFFFF; type != ethernet)
         return refuse("has frames of link type " + std::to_string(type) +
                       "; Ethernet, which is 1, is needed");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Captures of Ethernet frames in the classic pcap format (link type 1), to and from the bytes of
-/// the file. The file itself is read and written as a whole (drivers/atomic_file.hpp).
+/// Encodes and decodes captures of Ethernet frames in the classic pcap format (link type 1).
 #pragma once
 
 #include "base/result.hpp"
@@ -17,41 +16,41 @@
 namespace raymarch::drivers
 {
 
-/// A capture being written: low byte first, microseconds, version 2.4.
+/// Writes a capture of version 2.4: little-endian, with times in microseconds.
 class PcapWriter
 {
   public:
     PcapWriter();
-    /// `time` is since 1970; parts of a microsecond are dropped. Frames go up to
-    /// `largest_pcap_frame` bytes (precondition).
+    /// `time` counts from 1970; parts of a microsecond are dropped. Precondition: the frame has at
+    /// most `largest_pcap_frame` bytes.
     void add(std::span<const std::uint8_t> frame, std::chrono::nanoseconds time);
-    /// The file so far.
+    /// Returns the file so far.
     [[nodiscard]] std::span<const std::uint8_t> bytes() const noexcept { return bytes_; }
 
   private:
     std::vector<std::uint8_t> bytes_;
 };
 
-/// What a record may claim; more means that the file is damaged.
+/// A longer record means that the file is damaged.
 inline constexpr std::size_t largest_pcap_frame = 262'144;
 
-/// One frame of a capture.
 struct PcapRecord
 {
-    std::span<const std::uint8_t> frame; ///< what was captured of it
+    std::span<const std::uint8_t> frame; ///< the captured bytes
     std::chrono::nanoseconds time{};     ///< since 1970
-    bool cut = false;                    ///< there was more of it on the wire
+    bool cut = false;                    ///< the frame was longer on the wire
 };
 
-/// A capture being read: either byte order, micro- or nanoseconds.
+/// Reads a capture in either byte order, with times in micro- or nanoseconds.
 class PcapReader
 {
   public:
     /// `bytes` is the file's content and outlives the reader; `name` is for messages.
-    /// Errors: BadData (no pcap file, or not of Ethernet frames).
+    /// Errors: BadData (it is not a pcap file, or has no Ethernet frames).
     [[nodiscard]] static Result<PcapReader> open(std::span<const std::uint8_t> bytes,
                                                  std::string name);
-    /// The next record; nothing at the end. Errors: BadData, from there on nothing can be read.
+    /// Returns the next record, or nothing at the end. Errors: BadData; nothing more can be read
+    /// then.
     [[nodiscard]] Result<std::optional<PcapRecord>> next();
 
   private:

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The four seams to the world. Everything above them can be tested without a device.
-///
-/// This layer moves words, bytes, frames and levels; what they mean is not its business.
+/// The interfaces to the hardware: registers, byte streams, Ethernet frames and digital lines. A
+/// test implements them without a device.
 #pragma once
 
 #include "base/result.hpp"
@@ -18,7 +17,7 @@
 namespace raymarch::drivers
 {
 
-/// A byte offset into a register window, a multiple of 4.
+/// The offset of a register in its window. It is a multiple of 4.
 struct RegOffset
 {
     std::uint16_t bytes = 0;
@@ -34,28 +33,28 @@ class RegisterBus
     RegisterBus& operator=(const RegisterBus&) = delete;
     virtual ~RegisterBus() = default;
 
-    /// One aligned load. Precondition: `at` lies inside the window.
+    /// Does one aligned load. Precondition: `at` lies inside the window.
     [[nodiscard]] virtual std::uint32_t read(RegOffset at) noexcept = 0;
-    /// One aligned store, in program order.
+    /// Does one aligned store, in program order.
     virtual void write(RegOffset at, std::uint32_t word) noexcept = 0;
 
-    /// Readable when an interrupt has come; -1 where there is no line.
+    /// Becomes readable when an interrupt has come; -1 if there is no interrupt line.
     [[nodiscard]] virtual int interrupt_fd() const noexcept = 0;
-    /// Lets the next interrupt through.
+    /// Unmasks the interrupt.
     virtual void arm_interrupt() noexcept = 0;
-    /// Takes what made interrupt_fd() readable; the number of interrupts so far.
+    /// Reads interrupt_fd(). Returns the number of interrupts so far.
     [[nodiscard]] virtual Result<std::uint32_t> take_interrupt() = 0;
 
-    /// True once the window behind the registers has gone away; loads then give 0.
+    /// Returns true when the registers have gone away. Loads then return 0.
     [[nodiscard]] virtual bool lost() const noexcept = 0;
 };
 
-/// What a read of a BytePort ended in.
+/// The result of BytePort::read().
 enum class ReadStatus : std::uint8_t {
     Data,   ///< `size` bytes were read
-    Empty,  ///< nothing there now
-    HungUp, ///< the other side closed; another one may come
-    Gone,   ///< the port is of no use any more
+    Empty,  ///< there is nothing to read now
+    HungUp, ///< the other side closed the port; another host may open it
+    Gone,   ///< the port cannot be used any more
 };
 struct ReadOutcome
 {
@@ -63,7 +62,7 @@ struct ReadOutcome
     std::size_t size = 0;
 };
 
-/// A stream of bytes in both directions that never waits.
+/// A non-blocking stream of bytes in both directions.
 class BytePort
 {
   public:
@@ -72,15 +71,14 @@ class BytePort
     BytePort& operator=(const BytePort&) = delete;
     virtual ~BytePort() = default;
 
-    /// For waiting; the port itself is read and written only through the calls below.
+    /// Use this descriptor only to wait for the port.
     [[nodiscard]] virtual int fd() const noexcept = 0;
     [[nodiscard]] virtual ReadOutcome read(std::span<char> into) noexcept = 0;
-    /// How many bytes were taken now, possibly none.
+    /// Returns how many bytes were written, possibly none.
     [[nodiscard]] virtual std::size_t write(std::string_view bytes) noexcept = 0;
 };
 
-/// A network interface: whole Ethernet frames, from the destination address to the last byte of
-/// data.
+/// A network interface. A frame goes from the destination address to the last byte of data.
 class FramePort
 {
   public:
@@ -89,19 +87,19 @@ class FramePort
     FramePort& operator=(const FramePort&) = delete;
     virtual ~FramePort() = default;
 
-    /// Returns when the system has taken the frame. Errors: InputOutput.
+    /// Returns when the kernel has accepted the frame. Errors: InputOutput.
     [[nodiscard]] virtual Result<void> send(std::span<const std::uint8_t> frame) = 0;
-    /// The next frame that another machine or program sent, cut to `into`: its size, or nothing
-    /// when none comes within `timeout`. Errors: InputOutput.
+    /// Receives the next incoming frame, cut to the size of `into`. Returns its size, or nothing if
+    /// no frame comes within `timeout`. Errors: InputOutput.
     [[nodiscard]] virtual Result<std::optional<std::size_t>>
     receive(std::span<std::uint8_t> into, std::chrono::milliseconds timeout) = 0;
 };
 
-/// A change of a line's level, after active-low has been undone.
+/// A change of the logical level, which is inverted if the line is active-low.
 struct Edge
 {
     bool level = false;
-    std::chrono::nanoseconds at{}; ///< when, by a clock of the system that never waits for us
+    std::chrono::nanoseconds at{}; ///< the kernel's timestamp of the edge
 };
 
 /// One digital line: a button, a switch or an LED.
@@ -113,13 +111,13 @@ class Pin
     Pin& operator=(const Pin&) = delete;
     virtual ~Pin() = default;
 
-    /// The present level, after active-low has been undone. Errors: InputOutput.
+    /// Reads the logical level. Errors: InputOutput.
     [[nodiscard]] virtual Result<bool> read() = 0;
-    /// Drives an output. Errors: InputOutput.
+    /// Sets an output. Errors: InputOutput.
     [[nodiscard]] virtual Result<void> write(bool on) = 0;
-    /// Readable when an edge has come; -1 for outputs, and for inputs that do not report edges.
+    /// Becomes readable when an edge has come; -1 for outputs, and for inputs without edges.
     [[nodiscard]] virtual int edge_fd() const noexcept = 0;
-    /// The next edge that waits, in the order in which they came; nothing when none does. Errors:
+    /// Returns the oldest edge that has not been read, or nothing if there is none. Errors:
     /// InputOutput.
     [[nodiscard]] virtual Result<std::optional<Edge>> take_edge() = 0;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "drivers/pseudo_terminal.hpp"
 
-#include "base/unfinished_file.hpp"
+#include "base/temporary_file.hpp"
 #include "drivers/serial_port.hpp"
 
 #include <fcntl.h>
@@ -30,7 +30,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// The settings live with the other end, but are set from this one as well.
+/// Both ends of a pseudo-terminal share their settings.
 std::optional<termios> set_raw(int fd) noexcept
 {
     termios settings = {};
@@ -42,8 +42,8 @@ std::optional<termios> set_raw(int fd) noexcept
     return settings;
 }
 
-/// For the service's group, as the control socket. The node belongs to the user of the service, but
-/// its group and mode come from how /dev/pts is mounted, not from the umask.
+/// Gives the service's group access, as to the control socket. The group and the mode of a new node
+/// come from the mount options of /dev/pts, not from the umask.
 void open_to_group(const std::string& node) noexcept
 {
     if (::chown(node.c_str(), static_cast<uid_t>(-1), ::getegid()) == 0)
@@ -52,8 +52,8 @@ void open_to_group(const std::string& node) noexcept
 
 constexpr std::uint32_t closed = IN_CLOSE_WRITE | IN_CLOSE_NOWRITE;
 
-/// Tells of each host that opens or closes the node. Without it (no watch is left) only hosts that
-/// speak and leave the terminal to nobody are known.
+/// Watches hosts open and close the node. If no inotify watch is left, the service notices a host
+/// only when it sends something, and its leaving only when nobody else has the terminal open.
 UniqueFd watch_visits(const std::string& node) noexcept
 {
     UniqueFd visits(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
@@ -68,8 +68,8 @@ Result<void> place_link(const std::string& target, const fs::path& link)
     const fs::file_status there = fs::symlink_status(link, error);
     if (fs::exists(there) && !fs::is_symlink(there))
         return fail(plain_error(ErrorKind::Unavailable,
-                                link.string() + " is there and is no symbolic link"));
-    const auto fresh = make_beside(link, [&](const std::string& name) {
+                                link.string() + " exists and is not a symbolic link"));
+    const auto fresh = make_temporary(link, [&](const std::string& name) {
         return ::symlink(target.c_str(), name.c_str()) == 0;
     });
     if (!fresh)
@@ -100,7 +100,7 @@ Result<std::unique_ptr<PseudoTerminal>> PseudoTerminal::open(const std::string& 
     if (!settings)
         return fail(errno_error(ErrorKind::InputOutput, "set up", name.data()));
     open_to_group(name.data());
-    // Once opened and closed, it says of itself that nobody has it open.
+    // The terminal reports a hang-up only after the other end has been opened and closed once.
     UniqueFd(::open(name.data(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)).reset();
     UniqueFd visits = watch_visits(name.data());
     if (auto placed = place_link(name.data(), place); !placed)
@@ -143,9 +143,8 @@ Result<void> PseudoTerminal::restore_link()
     return {};
 }
 
-/// inotify tells two equal events that nobody took in between as one. So hosts that come or leave
-/// together are miscounted, and the next one may be taken for the last one's successor, which costs
-/// replies that have not been read by then.
+/// inotify joins two equal events that follow each other. So hosts that come or leave together are
+/// miscounted. A host may then count as the successor of the last one, and unread replies are lost.
 PseudoTerminal::Visits PseudoTerminal::take_visits() noexcept
 {
     Visits visits;
@@ -155,7 +154,7 @@ PseudoTerminal::Visits PseudoTerminal::take_visits() noexcept
         inotify_event event = {};
         for (std::size_t at = 0; at < static_cast<std::size_t>(size);
              at += sizeof event + event.len) {
-            std::memcpy(&event, chunk.data() + at, sizeof event); // whose place is not aligned
+            std::memcpy(&event, chunk.data() + at, sizeof event); // it is not aligned
             ++visits.events;
             if ((event.mask & IN_OPEN) != 0) {
                 ++hosts_;
@@ -174,7 +173,7 @@ void PseudoTerminal::look() noexcept
     if (!take_visits().followed)
         return;
     hung_up_ = hung_up_ || std::exchange(host_spoke_, false);
-    static_cast<void>(start_afresh());
+    static_cast<void>(reset_for_next_host());
 }
 
 bool PseudoTerminal::nobody_has_it_open() const noexcept
@@ -183,10 +182,9 @@ bool PseudoTerminal::nobody_has_it_open() const noexcept
     return ::poll(&end, 1, 0) > 0 && (end.revents & POLLHUP) != 0;
 }
 
-/// Removes what the last host left in the terminal, which the next host would find: its settings,
-/// output that it stopped, replies that it did not read, exclusive mode. Returns false when
-/// exclusive mode keeps out the service as well, and thus every host for good.
-bool PseudoTerminal::put_in_order() noexcept
+/// Undoes what the last host left in the terminal: its settings, stopped output, unread replies,
+/// exclusive mode. Returns false if exclusive mode keeps out the service, and thus every host.
+bool PseudoTerminal::reset_terminal() noexcept
 {
     const bool alone = nobody_has_it_open();
     ::tcsetattr(fd_.get(), TCSANOW, &settings_);
@@ -195,38 +193,38 @@ bool PseudoTerminal::put_in_order() noexcept
         return errno != EBUSY || !nobody_has_it_open();
     const int ordinary = N_TTY;
     ::ioctl(other_end.get(), TIOCSETD, &ordinary);
-    if (alone) // else it is the next host's own
+    if (alone) // otherwise the next host may have set the exclusive mode
         ::ioctl(other_end.get(), TIOCNXCL);
     ::tcflow(other_end.get(), TCOON);
     ::tcflush(other_end.get(), TCIFLUSH);
     return true;
 }
 
-/// Puts the terminal in order for whoever has it open by now. To do so is a visit, too: its events
-/// are taken here, or the service would follow itself for ever.
-bool PseudoTerminal::start_afresh() noexcept
+/// The reset opens and closes the terminal, too. Its own events are read here, so that they do not
+/// count as a host.
+bool PseudoTerminal::reset_for_next_host() noexcept
 {
-    constexpr int most_tries = 3; // a host that comes and goes all the time does not hold us
-    constexpr int own_events = 2; // opened, closed
-    for (int tries = 0; tries < most_tries; ++tries) {
-        if (!put_in_order())
+    constexpr int max_tries = 3;  // a host may open and close the terminal all the time
+    constexpr int own_events = 2; // one open, one close
+    for (int tries = 0; tries < max_tries; ++tries) {
+        if (!reset_terminal())
             return false;
         if (take_visits().events <= own_events)
             break; // nobody has come or left meanwhile
     }
-    // Who has it open but was not counted is told of next, or was told of together with us.
+    // The event of a host that has it open but was not counted comes next, or was joined with ours.
     left_ = hosts_ == 0 && !nobody_has_it_open();
     return true;
 }
 
 ReadOutcome PseudoTerminal::read(std::span<char> into) noexcept
 {
-    // In this order: who has said one of these bytes has been seen to come.
+    // The bytes are counted first, so that look() knows every host that sent one of them.
     int waiting = 0;
     ::ioctl(fd_.get(), FIONREAD, &waiting);
     look();
     if (std::exchange(hung_up_, false))
-        return {ReadStatus::HungUp, 0}; // before the next host's first bytes
+        return {ReadStatus::HungUp, 0}; // it comes before the first bytes of the next host
     if (waiting <= 0 && !nobody_has_it_open())
         return {ReadStatus::Empty, 0};
     if (waiting > 0)
@@ -236,11 +234,11 @@ ReadOutcome PseudoTerminal::read(std::span<char> into) noexcept
         host_spoke_ = true;
     if (outcome.status != ReadStatus::HungUp)
         return outcome;
-    // Opening and closing the other end makes a hang-up of its own; that one is not news.
+    // A hang-up that reset_terminal() caused is not reported.
     if (!visited_ && !host_spoke_)
         return {ReadStatus::Empty, 0};
     hosts_ = 0;
-    if (!start_afresh())
+    if (!reset_for_next_host())
         return {ReadStatus::Gone, 0};
     visited_ = !nobody_has_it_open();
     return {std::exchange(host_spoke_, false) ? ReadStatus::HungUp : ReadStatus::Empty, 0};

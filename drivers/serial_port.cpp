@@ -41,15 +41,15 @@ std::optional<speed_t> speed_of(unsigned baud) noexcept
     return std::nullopt;
 }
 
-/// tcsetattr succeeds when any of the settings was taken, so what it did is read back.
-bool took(int fd, const termios& wanted) noexcept
+/// tcsetattr() succeeds if it could set any of the settings, so they are read back.
+bool has_settings(int fd, const termios& wanted) noexcept
 {
     termios now = {};
     return ::tcgetattr(fd, &now) == 0 && now.c_cflag == wanted.c_cflag &&
            now.c_lflag == wanted.c_lflag && ::cfgetospeed(&now) == ::cfgetospeed(&wanted);
 }
 
-/// Whether it is the hosts' end of a pseudo-terminal: by its number, as Linux deals them out.
+/// Returns whether the device number is that of a host's end of a pseudo-terminal.
 bool is_pseudo_terminal(int fd) noexcept
 {
     constexpr unsigned first_major =
@@ -79,7 +79,7 @@ std::string baud_rates()
 
 void make_raw(termios& settings) noexcept
 {
-    ::cfmakeraw(&settings); // which keeps XOFF for the other side, and more
+    ::cfmakeraw(&settings); // it keeps XOFF for the other side and other flags
     settings.c_iflag = 0;
     settings.c_oflag = 0;
     settings.c_lflag = 0;
@@ -111,7 +111,7 @@ std::size_t write_some(int fd, std::string_view bytes) noexcept
         if (size >= 0)
             return static_cast<std::size_t>(size);
         if (errno != EINTR)
-            return 0; // full, or gone: the next read tells which
+            return 0; // the port is full or gone; the next read tells which
     }
 }
 
@@ -119,31 +119,32 @@ Result<std::unique_ptr<SerialPort>> SerialPort::open(const std::string& path, un
 {
     const auto speed = speed_of(baud);
     if (!speed)
-        return fail(plain_error(ErrorKind::Usage, path + ": no baud rate " + std::to_string(baud) +
-                                                      "; there are " + baud_rates()));
+        return fail(plain_error(ErrorKind::Usage, path + ": there is no baud rate " +
+                                                      std::to_string(baud) + "; the rates are " +
+                                                      baud_rates()));
     UniqueFd fd(::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
     if (!fd)
         return fail(errno_error(ErrorKind::Unavailable, "open", path));
-    // TIOCEXCL keeps later openers out (but for root); the lock keeps out other users of locks. The
-    // lock ends with the process. TIOCEXCL stays with the terminal as long as anybody has it open,
-    // so not for a pseudo-terminal, whose other end outlives its hosts.
+    // TIOCEXCL keeps out every process that opens the tty later, except root's. The lock keeps out
+    // programs that use locks, and ends with the process. TIOCEXCL stays as long as any process has
+    // the tty open, so it is not set on a pseudo-terminal, which the service keeps open.
     if (auto locked = lock_descriptor(fd.get(), path); !locked && held_by_another(locked.error()))
         return fail(locked.error());
     termios before = {};
     if (::tcgetattr(fd.get(), &before) != 0)
         return fail(errno_error(ErrorKind::Unavailable, "read the terminal settings of", path));
     if (!is_pseudo_terminal(fd.get()) && ::ioctl(fd.get(), TIOCEXCL) != 0)
-        return fail(errno_error(ErrorKind::Unavailable, "take exclusively", path));
+        return fail(errno_error(ErrorKind::Unavailable, "get exclusive access to", path));
 
     std::unique_ptr<SerialPort> port(new SerialPort(std::move(fd), before));
     termios settings = before;
     make_raw(settings);
     ::cfsetispeed(&settings, *speed);
     ::cfsetospeed(&settings, *speed);
-    if (::tcsetattr(port->fd(), TCSANOW, &settings) != 0 || !took(port->fd(), settings))
+    if (::tcsetattr(port->fd(), TCSANOW, &settings) != 0 || !has_settings(port->fd(), settings))
         return fail(
             plain_error(ErrorKind::InputOutput,
-                        path + " does not take " + std::to_string(baud) + " baud, 8N1, raw"));
+                        path + " does not accept " + std::to_string(baud) + " baud, 8N1, raw"));
     ::tcflush(port->fd(), TCIFLUSH);
     return port;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A serial port: raw, 8N1, exclusive; the old settings come back when it is closed. Of a
-/// pseudo-terminal only the lock is exclusive: it is all that a killed program does not leave
-/// behind.
+/// A serial port: raw, 8N1, exclusive. Its old settings are restored when it is closed.
 #pragma once
 
 #include "base/result.hpp"
@@ -17,12 +15,12 @@
 namespace raymarch::drivers
 {
 
-/// A tty that is there as a device: a UART, or a USB converter.
+/// A UART, a USB converter, or a host's end of a pseudo-terminal.
 class SerialPort final : public BytePort
 {
   public:
-    /// Errors: Usage (a baud rate that no tty has), Unavailable (no such tty, or another process
-    /// has it), InputOutput (it does not take the settings).
+    /// Errors: Usage (there is no such baud rate), Unavailable (there is no such tty, or another
+    /// process has it), InputOutput (the tty does not accept the settings).
     [[nodiscard]] static Result<std::unique_ptr<SerialPort>> open(const std::string& path,
                                                                   unsigned baud);
     ~SerialPort() override;
@@ -39,14 +37,14 @@ class SerialPort final : public BytePort
 };
 
 [[nodiscard]] bool is_baud_rate(unsigned baud) noexcept;
-/// All of them, for a message.
+/// Returns all baud rates, for a message.
 [[nodiscard]] std::string baud_rates();
 
-/// Bytes as they are: no echo, no translation, no signals, no flow control; 8 bits, no parity, one
-/// stop bit, the receiver on and the modem lines ignored.
+/// Sets raw mode: no echo, no translation, no signals, no flow control; 8 bits, no parity, one stop
+/// bit, the receiver on and the modem lines ignored.
 void make_raw(termios& settings) noexcept;
 
-/// One non-blocking read or write as a BytePort reports it. EIO and end of file are `at_end`.
+/// Does one non-blocking read or write for a BytePort. EIO and end of file give `at_end`.
 [[nodiscard]] ReadOutcome read_some(int fd, std::span<char> into, ReadStatus at_end) noexcept;
 [[nodiscard]] std::size_t write_some(int fd, std::string_view bytes) noexcept;
 

@@ -27,7 +27,7 @@ Error refuse(std::string_view text, const std::string& reason)
                        "'" + std::string(text) + "' is not /dev/TTY[@BAUD]: " + reason);
 }
 
-/// Zero, which is no baud rate, where the digits are too many for a number.
+/// Returns 0, which is not a baud rate, if the number is too large.
 unsigned number(std::string_view digits) noexcept
 {
     unsigned value = 0;
@@ -49,18 +49,20 @@ Result<TtyName> parse_tty_name(std::string_view text)
         if (rate.empty())
             return fail(refuse(text, "no baud rate follows the @"));
         if (!std::ranges::all_of(rate, is_digit))
-            return fail(refuse(text, "'" + std::string(rate) +
-                                         "' is no baud rate; a path with an @ in its last part "
-                                         "needs a rate behind it, such as @115200"));
+            return fail(
+                refuse(text, "'" + std::string(rate) +
+                                 "' is not a baud rate; if the last part of the path has an "
+                                 "@, add a rate, such as @115200"));
         name.baud = number(rate);
         if (!is_baud_rate(name.baud))
             return fail(plain_error(ErrorKind::Usage, "'" + std::string(rate) +
-                                                          "' is not a baud rate: " + baud_rates()));
+                                                          "' is not a baud rate; the rates are " +
+                                                          baud_rates()));
     }
     if (name.path.empty())
         return fail(refuse(text, "there is no path"));
     if (is_space(name.path.front()) || is_space(name.path.back()))
-        return fail(refuse(text, "a blank stands at an end of the path"));
+        return fail(refuse(text, "the path begins or ends with a blank"));
     return name;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The name of a tty as a person writes it: a path, and a baud rate behind an `@`.
+/// Reads the name of a tty on a command line: a path, and optionally `@` and a baud rate.
 #pragma once
 
 #include "base/result.hpp"
@@ -19,8 +19,8 @@ struct TtyName
     unsigned baud = default_baud;
 };
 
-/// Reads `TTY` or `TTY@BAUD`. The baud rate stands behind the last `@`; an `@` with a `/` somewhere
-/// behind it belongs to the path. Errors: Usage, which names what is wrong and what is allowed.
+/// Reads `TTY` or `TTY@BAUD`. The baud rate follows the last `@`; an `@` before a `/` belongs to
+/// the path. Errors: Usage.
 [[nodiscard]] Result<TtyName> parse_tty_name(std::string_view text);
 
 } // namespace raymarch::drivers

@@ -62,7 +62,7 @@ ReadOutcome SocketPort::read(std::span<char> into) noexcept
 std::size_t SocketPort::write(std::string_view bytes) noexcept
 {
     for (;;) {
-        // MSG_NOSIGNAL: a client that has gone must not raise SIGPIPE.
+        // MSG_NOSIGNAL: a client that has closed the socket must not raise SIGPIPE.
         const ssize_t size = ::send(fd_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
         if (size >= 0)
             return static_cast<std::size_t>(size);
@@ -74,18 +74,18 @@ std::size_t SocketPort::write(std::string_view bytes) noexcept
 namespace
 {
 
-/// Whether a socket can be made at `path`: nothing is there, or one that nobody listens to.
+/// Removes a socket that nobody listens to, so that a new one can be made at `path`.
 Result<void> make_room(const std::string& path)
 {
     struct stat info = {};
     if (::lstat(path.c_str(), &info) != 0)
         return {};
     if (!S_ISSOCK(info.st_mode))
-        return fail(plain_error(ErrorKind::Unavailable, path + " is there and is no socket"));
+        return fail(plain_error(ErrorKind::Unavailable, path + " exists and is not a socket"));
     const auto probe = SocketPort::connect(path);
     if (probe || probe.error().number != ECONNREFUSED)
-        return fail(plain_error(ErrorKind::Unavailable, path + ": another process listens there"));
-    ::unlink(path.c_str()); // left behind by a process that was killed
+        return fail(plain_error(ErrorKind::Unavailable, path + ": another process listens on it"));
+    ::unlink(path.c_str()); // a killed process left it behind
     return {};
 }
 
@@ -96,11 +96,11 @@ Result<SocketListener> SocketListener::open(const std::string& path)
     auto address = address_of(path);
     if (!address)
         return fail(address.error());
-    // To look, to remove and to bind are three steps; the lock keeps a second service out of them.
+    // The lock keeps a second service from doing the next three steps (probe, unlink, bind).
     auto lock = LockFile::take(path + ".lock");
     if (!lock && held_by_another(lock.error()))
         return fail(Error{ErrorKind::Unavailable, lock.error().number,
-                          path + ": another process listens there: " + lock.error().message});
+                          path + ": another process listens on it: " + lock.error().message});
     if (auto room = make_room(path); !room)
         return fail(room.error());
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A local stream socket: the service's listening end, its clients, and the tool's end.
+/// Unix-domain stream sockets: the listening socket of the service, and connections.
 #pragma once
 
 #include "base/result.hpp"
@@ -18,10 +18,9 @@
 namespace raymarch::drivers
 {
 
-/// The longest path that a socket's address holds.
+/// The longest path that a socket address can hold.
 inline constexpr std::size_t max_socket_path = sizeof(sockaddr_un::sun_path) - 1;
 
-/// One connection.
 class SocketPort final : public BytePort
 {
   public:
@@ -37,27 +36,25 @@ class SocketPort final : public BytePort
     UniqueFd fd_;
 };
 
-/// A listening socket in the file system, mode 0660. PATH.lock beside it says that somebody
-/// listens.
+/// A listening socket with mode 0660. The lock PATH.lock tells that a process listens.
 class SocketListener
 {
   public:
-    /// Replaces a socket that nobody listens to any more. Errors: Usage (the path is too long),
-    /// Unavailable (another process listens there, or something else has that name), InputOutput.
+    /// Replaces a socket that nobody listens to. Errors: Usage (the path is too long), Unavailable
+    /// (another process listens on it, or something else has that name), InputOutput.
     [[nodiscard]] static Result<SocketListener> open(const std::string& path);
     SocketListener(SocketListener&&) noexcept = default;
     SocketListener& operator=(SocketListener&&) = delete; // opened once, closed once
     SocketListener(const SocketListener&) = delete;
     SocketListener& operator=(const SocketListener&) = delete;
-    /// Removes the socket if it is still its own.
+    /// Removes the socket unless another one has replaced it.
     ~SocketListener();
 
     [[nodiscard]] int fd() const noexcept { return fd_.get(); }
-    /// The next waiting client; nullptr when there is none. Errors: Unavailable, when one waits
-    /// that cannot be taken (no descriptor is left).
+    /// Returns the next waiting client, or nullptr if there is none. Errors: Unavailable, if a
+    /// client waits and cannot be accepted (no descriptor is left).
     [[nodiscard]] Result<std::unique_ptr<SocketPort>> accept();
-    /// False when the socket was removed, or something else has its name now: then no client finds
-    /// it any more.
+    /// Returns false if the socket was removed or replaced, so that no client can find it.
     [[nodiscard]] bool in_place() const noexcept;
 
   private:
@@ -68,10 +65,10 @@ class SocketListener
         , path_(std::move(path))
         , own_(own)
     {}
-    std::optional<LockFile> lock_; ///< first: the socket goes before its lock
+    std::optional<LockFile> lock_; ///< declared first: the socket is removed before its lock
     UniqueFd fd_;
     std::string path_;
-    FileIdentity own_; ///< of the name in the file system, not of the descriptor
+    FileIdentity own_; ///< identifies the file in the file system, not the descriptor
 };
 
 } // namespace raymarch::drivers

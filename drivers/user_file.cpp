@@ -28,24 +28,24 @@ namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
 constexpr const char* standard_stream = "-";
-constexpr milliseconds for_ever{-1}; ///< as poll() takes it
+constexpr milliseconds no_timeout{-1}; ///< the value that poll() expects
 
 struct Direction
 {
     int flags;
     int standard_fd;
     const char* standard_name;
-    milliseconds patience; ///< with the other end of a FIFO or a device
+    milliseconds timeout; ///< for the other end of a FIFO or a device
 };
 constexpr Direction output{O_WRONLY, STDOUT_FILENO, "standard output", milliseconds{30'000}};
 constexpr Direction input{O_RDONLY, STDIN_FILENO, "standard input", milliseconds{5'000}};
 
 struct Stream
 {
-    UniqueFd owned; ///< none for a descriptor that was open before
+    UniqueFd owned; ///< empty if the descriptor was open before
     int fd;
     std::string name;
-    milliseconds patience;
+    milliseconds timeout;
 };
 
 std::optional<int> number_of(const std::string& text)
@@ -58,12 +58,12 @@ std::optional<int> number_of(const std::string& text)
 
 bool same_folder(const fs::path& a, const fs::path& b)
 {
-    std::error_code ignored; // where one cannot be looked at they are not the same
+    std::error_code ignored; // after an error the folders count as different
     return fs::equivalent(a.empty() ? "." : a, b, ignored);
 }
 
-/// The N of /dev/fd/N, /proc/self/fd/N, /dev/stdout and links to them. Opening such a name would
-/// begin at the start of a file, although its descriptor stands elsewhere in it.
+/// Returns the N of /dev/fd/N, /proc/self/fd/N, /dev/stdout and links to them. To open such a name
+/// would lose the position of the descriptor in its file.
 std::optional<int> own_descriptor(const std::string& path)
 {
     fs::path end = path;
@@ -79,13 +79,13 @@ std::optional<int> own_descriptor(const std::string& path)
     return std::nullopt;
 }
 
-/// What is no file, opened; nothing where `path` is a file, or nothing is there.
+/// Opens a FIFO, a device or a descriptor. Returns nothing if `path` is a file or does not exist.
 Result<std::optional<Stream>> open_stream(const std::string& path, const Direction& direction)
 {
     if (path == standard_stream)
-        return Stream{{}, direction.standard_fd, direction.standard_name, for_ever};
+        return Stream{{}, direction.standard_fd, direction.standard_name, no_timeout};
     if (const auto own = own_descriptor(path))
-        return Stream{{}, *own, path, for_ever};
+        return Stream{{}, *own, path, no_timeout};
     struct stat info = {};
     if (::stat(path.c_str(), &info) != 0 || S_ISREG(info.st_mode))
         return std::nullopt;
@@ -97,16 +97,16 @@ Result<std::optional<Stream>> open_stream(const std::string& path, const Directi
     if (!fd)
         return fail(errno_error(ErrorKind::InputOutput, "open", path));
     const int number = fd.get();
-    return Stream{std::move(fd), number, path, direction.patience};
+    return Stream{std::move(fd), number, path, direction.timeout};
 }
 
-/// Whether there is something to do with it before the time is over: bytes, room, or its end.
-bool ready(const Stream& stream, short events, milliseconds patience)
+/// Returns whether the stream has bytes, room or its end before the timeout.
+bool ready(const Stream& stream, short events, milliseconds timeout)
 {
     pollfd waiting = {.fd = stream.fd, .events = events, .revents = 0};
     int found = -1;
     do
-        found = ::poll(&waiting, 1, static_cast<int>(patience.count()));
+        found = ::poll(&waiting, 1, static_cast<int>(timeout.count()));
     while (found < 0 && errno == EINTR);
     return found != 0;
 }
@@ -123,7 +123,7 @@ Result<void> write_stream(const Stream& stream, std::span<const std::uint8_t> by
             continue;
         if (errno != EAGAIN)
             return fail(errno_error(ErrorKind::InputOutput, "write", stream.name));
-        if (!ready(stream, POLLOUT, stream.patience))
+        if (!ready(stream, POLLOUT, stream.timeout))
             return fail(plain_error(ErrorKind::InputOutput, stream.name + ": nobody reads it"));
     }
     return {};
@@ -133,7 +133,7 @@ Result<std::string> read_stream(const Stream& stream, std::size_t limit)
 {
     std::string content;
     std::array<char, 4096> chunk{};
-    bool awaited = stream.patience == for_ever;
+    bool awaited = stream.timeout == no_timeout;
     bool came = true;
     for (;;) {
         const ssize_t size = ::read(stream.fd, chunk.data(), chunk.size());
@@ -143,16 +143,16 @@ Result<std::string> read_stream(const Stream& stream, std::size_t limit)
                 return fail(plain_error(ErrorKind::BadData, stream.name + " has more than " +
                                                                 std::to_string(limit) + " bytes"));
         } else if (size == 0 && content.empty() && !awaited) {
-            // A FIFO without a writer is at its end, but one may be about to come.
+            // A FIFO without a writer is at its end, but a writer may open it soon.
             awaited = true;
-            came = ready(stream, POLLIN, stream.patience);
+            came = ready(stream, POLLIN, stream.timeout);
         } else if (size == 0) {
             if (came || !content.empty())
                 return content;
             return fail(plain_error(ErrorKind::InputOutput,
                                     stream.name + " is a FIFO that nobody writes to"));
-        } else if (errno == EAGAIN) { // a writer is there
-            came = ready(stream, POLLIN, for_ever);
+        } else if (errno == EAGAIN) { // a writer has it open
+            came = ready(stream, POLLIN, no_timeout);
         } else if (errno != EINTR) {
             return fail(errno_error(ErrorKind::InputOutput, "read", stream.name));
         }
@@ -165,7 +165,7 @@ Result<void> check_output(const std::string& path)
 {
     if (path == standard_stream && ::isatty(STDOUT_FILENO) != 0)
         return fail(plain_error(ErrorKind::Usage,
-                                "standard output is a terminal: - is for a pipe or a file"));
+                                "standard output is a terminal; - needs a pipe or a file"));
     struct stat info = {};
     if (path == standard_stream || own_descriptor(path) || ::stat(path.c_str(), &info) != 0 ||
         S_ISREG(info.st_mode) || S_ISCHR(info.st_mode) || S_ISFIFO(info.st_mode))
@@ -177,7 +177,7 @@ Result<void> write_output(const std::string& path, std::span<const std::uint8_t>
 {
     if (auto possible = check_output(path); !possible)
         return possible;
-    static_cast<void>(std::fflush(stdout)); // what was printed comes first
+    static_cast<void>(std::fflush(stdout)); // earlier output comes first
     const auto stream = open_stream(path, output);
     if (!stream)
         return fail(stream.error());

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What a person names on a command line to be written or read: a file, but also a FIFO, a
-/// character device such as /dev/null, a descriptor such as /dev/stdout or a shell's <(...), or `-`
-/// for the standard stream.
+/// Reads and writes what a user names on a command line: a file, a FIFO, a character device such as
+/// /dev/null, a descriptor such as /dev/stdout or a shell's <(...), or `-` for the standard stream.
 ///
-/// This is for the tool, which may wait. The service uses atomic_file.hpp.
+/// These functions may wait, so the service uses atomic_file.hpp.
 #pragma once
 
 #include "base/result.hpp"
@@ -16,24 +15,23 @@
 namespace raymarch::drivers
 {
 
-/// Writes all of it: into a FIFO, a device or a descriptor; a file is replaced as by replace_file()
-/// without durability. A FIFO without a reader is not waited for, and a reader that takes nothing
-/// for 30 s is given up.
-/// Errors: those of check_output(); InputOutput.
+/// Writes all bytes. A file is replaced as by replace_file() without durability. It is an error if
+/// a FIFO has no reader, or if its reader reads nothing for 30 s. Errors: those of check_output();
+/// InputOutput.
 [[nodiscard]] Result<void> write_output(const std::string& path,
                                         std::span<const std::uint8_t> bytes);
 
-/// What can be said of write_output() before there is anything to write. Errors: Usage for `-` on a
-/// terminal; InputOutput for a folder, a socket, a block device.
+/// Checks the path before there is anything to write. Errors: Usage for `-` on a terminal;
+/// InputOutput for a folder, a socket or a block device.
 [[nodiscard]] Result<void> check_output(const std::string& path);
 
-/// Reads to the end. A FIFO waits 5 s for somebody who writes to it; whoever writes, or a terminal,
-/// is waited for as long as it takes.
-/// Errors: Unavailable (cannot be opened), InputOutput (a folder, a socket, a block device, a FIFO
-/// that nobody writes to; it cannot be read), BadData when there are more than `limit` bytes.
+/// Reads to the end. A FIFO without a writer waits 5 s for one. There is no timeout for a writer or
+/// a terminal.
+/// Errors: Unavailable (the path cannot be opened), InputOutput (it is a folder, a socket, a block
+/// device or a FIFO without a writer, or cannot be read), BadData (more than `limit` bytes).
 [[nodiscard]] Result<std::string> read_input(const std::string& path, std::size_t limit);
 
-/// How messages name what read_input() reads.
+/// Returns the name of the input for messages.
 [[nodiscard]] std::string input_name(const std::string& path);
 
 } // namespace raymarch::drivers

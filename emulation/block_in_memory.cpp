@@ -14,19 +14,19 @@ namespace
 
 using protocol::Register;
 
-constexpr std::uint32_t untouched = 1U << 31; ///< of STATUS: gone when somebody has written it
+/// This bit of STATUS is clear after the other program has written STATUS.
+constexpr std::uint32_t not_written = 1U << 31;
 
-/// What the block alone writes.
-constexpr std::array shown = {Register::Id,       Register::Version, Register::Capability,
-                              Register::Geometry, Register::Frames,  Register::Cycles,
-                              Register::ClockHz};
+constexpr std::array read_only_registers = {
+    Register::Id,     Register::Version, Register::Capability, Register::Geometry,
+    Register::Frames, Register::Cycles,  Register::ClockHz};
 
 drivers::RegOffset at(Register reg) noexcept
 {
     return {static_cast<std::uint16_t>(reg)};
 }
 
-/// The other side is another program, so each access is one aligned load or store, in order.
+/// Another program uses the page at the same time, so each access is one aligned load or store.
 std::atomic_ref<std::uint32_t> word(std::span<std::uint32_t> page, drivers::RegOffset offset)
 {
     return std::atomic_ref(page[offset.bytes / 4]);
@@ -43,7 +43,7 @@ BlockInMemory::BlockInMemory(std::span<std::uint32_t> page, drivers::RegisterBus
 {
     std::ranges::fill(page_, 0U);
     word(page_, at(Register::Control)) = control_;
-    word(page_, at(Register::Status)) = block_.read(at(Register::Status)) | untouched;
+    word(page_, at(Register::Status)) = block_.read(at(Register::Status)) | not_written;
     show();
 }
 
@@ -52,11 +52,11 @@ bool BlockInMemory::step()
     take_control();
     take_status();
     const bool commit = word(page_, at(Register::Commit)).exchange(0) != 0;
-    const bool came = take_words();
+    const bool changed = take_words();
     if (commit)
         block_.write(at(Register::Commit), 1);
     show();
-    return came;
+    return changed;
 }
 
 void BlockInMemory::take_control()
@@ -66,26 +66,26 @@ void BlockInMemory::take_control()
         return;
     block_.write(at(Register::Control), control);
     control_ = block_.read(at(Register::Control)); // soft reset clears itself
-    std::uint32_t expected = control;              // a newer write stays for the next step
+    std::uint32_t expected = control;              // the next step takes a newer write
     word(page_, at(Register::Control)).compare_exchange_strong(expected, control_);
 }
 
 void BlockInMemory::take_status()
 {
     const std::uint32_t status = word(page_, at(Register::Status));
-    if ((status & untouched) == 0) {
+    if ((status & not_written) == 0) {
         block_.write(at(Register::Status), status);
         block_.arm_interrupt();
     }
-    // A write that comes between the load and this stays for the next step.
+    // If STATUS was written after the load, the next step takes that write.
     std::uint32_t expected = status;
     word(page_, at(Register::Status))
-        .compare_exchange_strong(expected, block_.read(at(Register::Status)) | untouched);
+        .compare_exchange_strong(expected, block_.read(at(Register::Status)) | not_written);
 }
 
 bool BlockInMemory::take_words()
 {
-    bool came = false;
+    bool changed = false;
     for (std::size_t i = 0; i < accelerator_.word_count; ++i) {
         const drivers::RegOffset offset{
             static_cast<std::uint16_t>(accelerator_.first_word_offset + 4 * i)};
@@ -93,14 +93,14 @@ bool BlockInMemory::take_words()
         if (value == block_.read(offset))
             continue;
         block_.write(offset, value);
-        came = true;
+        changed = true;
     }
-    return came;
+    return changed;
 }
 
 void BlockInMemory::show()
 {
-    for (const Register reg : shown)
+    for (const Register reg : read_only_registers)
         word(page_, at(reg)) = block_.read(at(reg));
 }
 

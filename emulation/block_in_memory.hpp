@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A register block shown in plain memory that another program maps as registers: the memory of a
-/// virtual machine whose programmable logic is played from outside.
+/// Shows a register block in plain memory. Another program, such as a virtual machine, uses the
+/// memory as registers.
 ///
-/// Plain memory has no side effects, so step() has to be called again and again; what hardware does
-/// within a clock happens at the next step. Three things differ from hardware for that reason. Bit
-/// 31 of STATUS reads 1: a write of 1 to "frame done" would else leave the word as it is, and
-/// nobody would see it. Two commits that come faster than the steps are taken together. And a write
-/// of STATUS hides "busy" and "commit pending" until the next step: who acknowledges a frame and
-/// asks at once finds no commit pending.
+/// Plain memory has no side effects, so step() must be called repeatedly: it does what hardware
+/// does within a clock. Three things differ from hardware. Bit 31 of STATUS reads 1, because a
+/// write of 1 to "frame done" could not be detected otherwise. Two commits between two steps count
+/// as one. After a write to STATUS, "busy" and "commit pending" read 0 until the next step.
 #pragma once
 
 #include "drivers/ports.hpp"
@@ -20,17 +18,17 @@
 namespace raymarch::emulation
 {
 
-/// Borrows the memory, one register page of whole words, and the block, which draws in the words of
-/// `accelerator`. Not thread-safe.
+/// Borrows the memory, which is one register page, and the block, which has the parameter words of
+/// `accelerator`. The class is not thread-safe.
 class BlockInMemory
 {
   public:
-    /// Shows the block's registers from now on; what the memory held is forgotten.
+    /// Overwrites the memory with the block's registers.
     BlockInMemory(std::span<std::uint32_t> page, drivers::RegisterBus& block,
                   const protocol::Accelerator& accelerator);
 
-    /// Gives to the block what has been written to the memory since the last step, and shows what
-    /// the block says now. Returns whether parameter words came.
+    /// Writes to the block what has changed in the memory since the last step, and copies the
+    /// block's registers to the memory. Returns whether parameter words changed.
     bool step();
 
   private:
@@ -42,7 +40,7 @@ class BlockInMemory
     std::span<std::uint32_t> page_;
     drivers::RegisterBus& block_;
     const protocol::Accelerator& accelerator_;
-    std::uint32_t control_; ///< as last shown
+    std::uint32_t control_; ///< the last value in the memory
 };
 
 } // namespace raymarch::emulation

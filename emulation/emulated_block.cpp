@@ -20,7 +20,7 @@ using protocol::Register;
 namespace control = protocol::control;
 namespace status = protocol::status;
 
-/// The index of the parameter word at `at`, if it is one.
+/// Returns the index of the parameter word at `at`, or nothing if another register is there.
 std::optional<std::size_t> parameter_word(const protocol::Accelerator& accelerator,
                                           drivers::RegOffset at) noexcept
 {
@@ -57,7 +57,7 @@ void EmulatedBlock::become(const engine::Model& model, engine::PictureSize size)
     const std::scoped_lock lock(mutex_);
     model_ = &model;
     size_ = size;
-    ++lives_;
+    ++generation_;
     reset();
     status_ = 0;
     control_ = 0;
@@ -162,14 +162,14 @@ void EmulatedBlock::reset()
 {
     words_ = {};
     latch_ = false;
-    owed_ = 0;
-    status_ &= status::busy; // a frame that is being drawn goes on to its end
+    frames_left_ = 0;
+    status_ &= status::busy; // the present frame is drawn to its end
     frames_ = 0;
     cycles_ = 0;
 }
 
-/// The line is level: while a frame is done and the interrupt enabled, it shows as soon as it is
-/// armed.
+/// The interrupt line is level-triggered: it is raised whenever a frame is done and the interrupt
+/// is enabled and armed.
 void EmulatedBlock::raise_interrupt()
 {
     if (!armed_ || (status_ & status::frame_done) == 0 ||
@@ -205,10 +205,10 @@ Result<std::uint32_t> EmulatedBlock::take_interrupt()
 bool EmulatedBlock::frame_can_start() const
 {
     const bool enabled = options_.form == BlockForm::Bare || (control_ & control::enable) != 0;
-    return (latch_ || owed_ > 0) && enabled;
+    return (latch_ || frames_left_ > 0) && enabled;
 }
 
-/// Newer words end a slow frame once something of it has been shown.
+/// New words end a slow frame when a part of it has been shown.
 void EmulatedBlock::latch_at_frame_start()
 {
     latch_ = true;
@@ -248,7 +248,7 @@ void EmulatedBlock::draw(engine::Painter& painter, const engine::Drawing& drawin
                        stop);
 }
 
-/// The first pass has been drawn.
+/// Precondition: the first pass has been drawn.
 void EmulatedBlock::draw_in_passes(engine::Painter& painter, const engine::Drawing& drawing,
                                    std::uint32_t number, engine::Image& image,
                                    const std::stop_token& stop)
@@ -283,17 +283,17 @@ void EmulatedBlock::work(const std::stop_token& stop)
         const engine::Model& model = *model_;
         if (latch_) {
             latched = words_;
-            owed_ = engine::frames_of_a_still(model, latched);
+            frames_left_ = engine::frames_of_a_still(model, latched);
             latch_ = false;
         }
-        --owed_;
+        --frames_left_;
         status_ |= status::busy;
         slow_ = false;
         frame_ = std::stop_source();
         const std::stop_token frame_stop = frame_.get_token();
         const std::stop_callback end(stop, [source = frame_]() mutable { source.request_stop(); });
         const engine::PictureSize size = size_;
-        const unsigned life = lives_;
+        const unsigned generation = generation_;
         const std::uint32_t number = frames_;
         engine::Image& image = buffers[number % buffers.size()];
 
@@ -311,8 +311,8 @@ void EmulatedBlock::work(const std::stop_token& stop)
             show(image, frame_stop);
         lock.lock();
 
-        if (life != lives_)
-            continue; // nobody wants it any more
+        if (generation != generation_)
+            continue; // the frame belongs to the last model
         slow_ = false;
         status_ &= ~status::busy;
         if (!finished)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The register block without a board. The extended registers work as in hardware, and a worker
-/// draws what the words say with the engine's model.
+/// Emulates the register block without a board. The extended registers work as in hardware, and a
+/// worker thread draws the frames with the engine's model.
 #pragma once
 
 #include "base/result.hpp"
@@ -34,34 +34,32 @@ struct EmulatedOptions
 {
     BlockForm form = BlockForm::Extended;
     engine::PictureSize size{};
-    unsigned threads = 1; ///< of the drawing; 0: one for each processor
-    /// A frame that would take longer is drawn coarsely first, and ended early for newer words.
+    unsigned threads = 1; ///< threads that draw; 0 means one for each processor
+    /// A frame that would take longer is drawn coarsely first, and ended early for new words.
     std::optional<std::chrono::milliseconds> patience{};
 };
 
 /// The worker calls this after each frame, and with each unfinished picture of a slow frame.
 using FrameSink = std::function<void(const engine::Image&)>;
 
-/// Behaves as the hardware does, with one saving: when words have been latched, as many frames are
-/// drawn as the picture takes to be complete, and no more. They go into two buffers in turn.
-/// FRAMES, STATUS and the interrupt count the frames that were drawn to their end.
-/// One thread may use the registers; the worker is another one, which the block starts itself.
+/// Behaves as the hardware does, except that it stops drawing when the picture of the latched words
+/// is complete. The frames go into two buffers in turn. FRAMES, STATUS and the interrupt count
+/// completed frames. One thread may use the registers; the block starts the worker thread.
 class EmulatedBlock final : public drivers::RegisterBus
 {
   public:
-    /// Errors: Unavailable (no eventfd).
+    /// Errors: Unavailable (no eventfd can be made).
     [[nodiscard]] static Result<std::unique_ptr<EmulatedBlock>>
     open(const engine::Model& model, const EmulatedOptions& options, FrameSink sink);
-    /// Waits until the worker has seen that it is to end, which takes part of a frame.
+    /// Waits until the worker ends, at most for a part of a frame.
     ~EmulatedBlock() override = default;
 
-    /// Becomes the block of another accelerator at once, as after power-on. The frame that is being
-    /// drawn is given up, and the worker begins with the next one when it has seen that.
+    /// Becomes the block of another accelerator, as after power-on. The present frame is abandoned.
     void become(const engine::Model& model, engine::PictureSize size);
 
-    /// Ends the drawing, for a process that is about to exit. Waits at most `patience` for the
-    /// worker to end, and then as long as it takes for a call of the sink that has begun. Returns
-    /// false when the worker has not ended by then.
+    /// Ends the drawing before the process exits. Waits at most `patience` for the worker to end,
+    /// and then until a started call of the sink has returned. Returns whether the worker has
+    /// ended.
     [[nodiscard]] bool end_drawing(std::chrono::milliseconds patience);
 
     [[nodiscard]] std::uint32_t read(drivers::RegOffset at) noexcept override;
@@ -75,7 +73,7 @@ class EmulatedBlock final : public drivers::RegisterBus
     EmulatedBlock(const engine::Model& model, const EmulatedOptions& options, FrameSink sink,
                   UniqueFd interrupt);
     void work(const std::stop_token& stop);
-    /// Calls the sink, unless `stop` says that nobody wants the picture any more.
+    /// Calls the sink, unless a stop is requested.
     void show(const engine::Image& image, const std::stop_token& stop);
     void draw(engine::Painter& painter, const engine::Drawing& drawing, std::uint32_t number,
               engine::Image& image, const std::stop_token& stop);
@@ -92,18 +90,18 @@ class EmulatedBlock final : public drivers::RegisterBus
     const FrameSink sink_;
     const UniqueFd interrupt_;
 
-    std::mutex mutex_; ///< guards what follows, up to costs_
+    std::mutex mutex_; ///< guards the following members up to scratch_
     std::condition_variable_any wake_;
     const engine::Model* model_;
     engine::PictureSize size_;
-    unsigned lives_ = 1;      ///< how many accelerators the block has been
-    bool showing_ = false;    ///< the sink has been called and has not returned
-    bool ended_ = false;      ///< the worker has returned
-    protocol::Words words_{}; ///< as written; in shadow mode not yet seen by the ray units
-    bool latch_ = false;      ///< words wait for a frame start
-    bool slow_ = false;       ///< the frame that is being drawn ends early for newer words
-    std::stop_source frame_;  ///< of the frame that is being drawn
-    unsigned owed_ = 0;       ///< frames until the picture of the latched words is complete
+    unsigned generation_ = 1;  ///< counts the calls of become()
+    bool showing_ = false;     ///< the sink has been called and has not returned
+    bool ended_ = false;       ///< the worker has returned
+    protocol::Words words_{};  ///< the written words; a frame uses a latched copy
+    bool latch_ = false;       ///< the words are to be latched at the next frame start
+    bool slow_ = false;        ///< new words end the present frame early
+    std::stop_source frame_;   ///< stops the present frame
+    unsigned frames_left_ = 0; ///< frames until the picture of the latched words is complete
     bool armed_ = true;
     std::uint32_t interrupts_ = 0;
     std::uint32_t control_ = 0;
@@ -113,7 +111,7 @@ class EmulatedBlock final : public drivers::RegisterBus
     std::uint32_t scratch_ = 0;
 
     std::vector<engine::PixelCost> costs_; ///< only the worker uses them
-    std::jthread worker_;                  ///< last: it uses all of the above
+    std::jthread worker_;                  ///< declared last: it uses all members above
 };
 
 } // namespace raymarch::emulation

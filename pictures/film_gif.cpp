@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// A film as a GIF: each frame with a palette of its own.
-#include "base/unfinished_file.hpp"
+#include "base/temporary_file.hpp"
 #include "pictures/film_writers.hpp"
 #include "pictures/load_module.hpp"
 #include "pictures/module.hpp"
@@ -16,7 +16,7 @@ class GifFilm final : public FilmWriter
 {
   public:
     GifFilm(const std::string& path, engine::PictureSize size, unsigned frames_per_second,
-            UnfinishedFile file)
+            TemporaryFile file)
         : FilmWriter(path, size)
         , frames_per_second_(frames_per_second)
         , file_(std::move(file))
@@ -42,7 +42,7 @@ class GifFilm final : public FilmWriter
     {
         if (auto result = outcome(encoder_->finish()); !result)
             return result;
-        return file_.finish();
+        return file_.commit();
     }
 
     /// What the file said comes first: the encoder does not know of it.
@@ -64,7 +64,7 @@ class GifFilm final : public FilmWriter
     }
 
     unsigned frames_per_second_;
-    UnfinishedFile file_; // open until the encoder, which ends the file when it goes, is gone
+    TemporaryFile file_; // open until the encoder, which ends the file when it goes, is gone
     Result<void> written_;
     std::unique_ptr<GifEncoder> encoder_;
 };
@@ -80,7 +80,7 @@ Result<std::unique_ptr<FilmWriter>> open_gif(const std::string& path, engine::Pi
                                 path + ": writing .gif needs the module " + module_file +
                                     ", which is not installed; a sequence of .ppm or .tga "
                                     "pictures does not"));
-    auto file = UnfinishedFile::open(path);
+    auto file = TemporaryFile::open(path);
     if (!file)
         return fail(file.error());
     auto film = std::make_unique<GifFilm>(path, size, frames_per_second, *std::move(file));

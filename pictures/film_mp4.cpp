@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// A film as an MP4, by the video module.
-#include "base/unfinished_file.hpp"
+#include "base/temporary_file.hpp"
 #include "pictures/film_writers.hpp"
 #include "pictures/load_module.hpp"
 #include "pictures/module.hpp"
@@ -17,10 +17,10 @@ namespace
 class Mp4Film final : public FilmWriter
 {
   public:
-    Mp4Film(const std::string& path, engine::PictureSize size, UnfinishedFile unfinished,
+    Mp4Film(const std::string& path, engine::PictureSize size, TemporaryFile temporary,
             std::unique_ptr<VideoEncoder> encoder)
         : FilmWriter(path, size)
-        , unfinished_(std::move(unfinished))
+        , temporary_(std::move(temporary))
         , encoder_(std::move(encoder))
     {}
 
@@ -39,10 +39,10 @@ class Mp4Film final : public FilmWriter
             return fail(plain_error(ErrorKind::InputOutput,
                                     path() + ": OpenCV could not write all frames; is there room "
                                              "on the disk?"));
-        return unfinished_.finish();
+        return temporary_.commit();
     }
 
-    UnfinishedFile unfinished_; // is removed after the encoder has let go of it
+    TemporaryFile temporary_; // declared first: it is removed after the encoder has closed it
     std::unique_ptr<VideoEncoder> encoder_;
 };
 
@@ -59,18 +59,18 @@ Result<std::unique_ptr<FilmWriter>> open_mp4(const std::string& path, engine::Pi
                                     "again, with ./dev build; the package raymarchd-pictures has "
                                     "the module where it was built so; .gif and a sequence of .png "
                                     "pictures do without"));
-    auto unfinished = UnfinishedFile::open(path);
-    if (!unfinished)
-        return fail(unfinished.error());
+    auto temporary = TemporaryFile::open(path);
+    if (!temporary)
+        return fail(temporary.error());
     // FFmpeg takes what stands before a colon for a protocol, but not in a name that begins with /.
     std::error_code ignored;
-    const std::string full = std::filesystem::absolute(unfinished->path(), ignored).string();
+    const std::string full = std::filesystem::absolute(temporary->path(), ignored).string();
     std::unique_ptr<VideoEncoder> encoder(
         function(full.c_str(), size.width, size.height, frames_per_second));
     if (encoder == nullptr)
         return fail(plain_error(ErrorKind::InputOutput,
                                 path + ": OpenCV has no encoder for an MP4 of this size"));
-    return std::make_unique<Mp4Film>(path, size, *std::move(unfinished), std::move(encoder));
+    return std::make_unique<Mp4Film>(path, size, *std::move(temporary), std::move(encoder));
 }
 
 } // namespace raymarch::pictures

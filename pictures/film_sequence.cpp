@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// A film as a numbered picture for each frame, from 0.
-#include "base/unfinished_file.hpp"
+#include "base/temporary_file.hpp"
 #include "pictures/film_writers.hpp"
 #include "pictures/numbered_name.hpp"
 #include "pictures/picture_file.hpp"
@@ -17,39 +17,39 @@ namespace raymarch::pictures
 namespace
 {
 
-/// A hidden folder that goes with its owner.
-class HiddenFolder
+/// The destructor removes the folder.
+class TemporaryFolder
 {
   public:
-    [[nodiscard]] static Result<HiddenFolder> make_beside(const std::string& path)
+    [[nodiscard]] static Result<TemporaryFolder> make(const std::string& path)
     {
-        auto name = raymarch::make_beside(
-            path, [](const std::string& hidden) { return ::mkdir(hidden.c_str(), 0777) == 0; });
+        auto name = raymarch::make_temporary(
+            path, [](const std::string& name) { return ::mkdir(name.c_str(), 0777) == 0; });
         if (!name)
             return fail(name.error());
-        return HiddenFolder(*std::move(name));
+        return TemporaryFolder(*std::move(name));
     }
-    HiddenFolder(HiddenFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
-    HiddenFolder& operator=(HiddenFolder&& other) = delete;
-    ~HiddenFolder()
+    TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+    TemporaryFolder& operator=(TemporaryFolder&& other) = delete;
+    ~TemporaryFolder()
     {
         if (!path_.empty())
-            ::rmdir(path_.c_str()); // the frames have left it, or gone
+            ::rmdir(path_.c_str()); // it is empty: the frames were renamed or removed
     }
     [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
   private:
-    explicit HiddenFolder(std::string path) : path_(std::move(path)) {}
+    explicit TemporaryFolder(std::string path) : path_(std::move(path)) {}
 
     std::string path_; ///< empty when moved from
 };
 
-/// The frames wait in a hidden folder; at the end each is renamed.
+/// The frames are written to a temporary folder; at the end each is renamed.
 class SequenceFilm final : public FilmWriter
 {
   public:
     SequenceFilm(const std::string& path, engine::PictureSize size, PictureFormat format,
-                 NumberedName name, HiddenFolder folder)
+                 NumberedName name, TemporaryFolder folder)
         : FilmWriter(path, size)
         , format_(format)
         , name_(std::move(name))
@@ -62,7 +62,7 @@ class SequenceFilm final : public FilmWriter
         const auto bytes = encode(image, format_);
         if (!bytes)
             return fail(bytes.error());
-        auto file = UnfinishedFile::open(name_.at(frames()), folder_.path());
+        auto file = TemporaryFile::open(name_.at(frames()), folder_.path());
         if (!file)
             return fail(file.error());
         if (auto result = file->write(*bytes); !result)
@@ -75,16 +75,16 @@ class SequenceFilm final : public FilmWriter
 
     Result<void> complete() override
     {
-        for (UnfinishedFile& file : waiting_)
-            if (auto result = file.finish(); !result)
+        for (TemporaryFile& file : waiting_)
+            if (auto result = file.commit(); !result)
                 return result;
         return {};
     }
 
     PictureFormat format_;
     NumberedName name_;
-    HiddenFolder folder_;
-    std::vector<UnfinishedFile> waiting_; ///< after the folder: they go first
+    TemporaryFolder folder_;
+    std::vector<TemporaryFile> waiting_; ///< declared last: the files are removed before the folder
 };
 
 } // namespace
@@ -101,7 +101,7 @@ Result<std::unique_ptr<FilmWriter>> open_sequence(const std::string& path, engin
     // A module that is missing is missed now, not after the first frame has been computed.
     if (const auto probe = encode(engine::Image({1, 1}), *format); !probe)
         return fail(probe.error());
-    auto folder = HiddenFolder::make_beside(path);
+    auto folder = TemporaryFolder::make(path);
     if (!folder)
         return fail(folder.error());
     return std::make_unique<SequenceFilm>(path, size, *format, *std::move(name),

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Dependencies point down: says which folder includes what it may not.
+"""Checks the layers: prints every include of a folder that the including folder may not use.
 
 The include root is the root of the repository, so linking alone does not stop a wrong include.
-The same table stands in the link lines of the folders' CMakeLists.txt."""
+The link lines in the folders' CMakeLists.txt have the same dependencies."""
 
 import re
 import sys
@@ -46,7 +46,7 @@ LAYERS: dict[str, set[str]] = {
     "tools": {"base", "cli", "command_line", "daemon", "drivers", "emulation", "engine", "motion", "pictures", "protocol"},
 }
 
-# The engine knows of the protocol what parameters and registers are, and the descriptions.
+# The engine uses only the parameters, the registers and the descriptions of the protocol.
 ENGINE_MAY_INCLUDE = re.compile(r"protocol/(parameters|registers|accelerators|accelerators/\w+)\.hpp")
 
 # System headers that only some folders may use.
@@ -59,8 +59,8 @@ RESTRICTED: dict[str, set[str]] = {
     "thread": {"base", "engine", "emulation", "daemon", "cli"},
 }
 
-# Words that must not occur: the pure folders have no I/O and no clock, the engine no floating point, but
-# for its kernels, which prove where they use it.
+# Words that must not occur: these folders have no I/O and no clock, and the engine has no floating point
+# outside its kernels.
 FORBIDDEN: dict[str, re.Pattern[str]] = {
     "protocol": re.compile(r"#include <(unistd|fcntl|chrono|iostream|fstream|thread|cstdio)"),
     "engine": re.compile(r"\b(float|double)\b|#include <(unistd|fcntl|chrono|iostream|fstream|cstdio|cmath)"),

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The first hour of a newcomer, from nothing: an empty root of a Debian release, a clone of what is
-# committed here, ./dev demo and ./dev test as root, then ./dev test again as an ordinary user. Ends
-# with a table of the times. Takes root, a mirror, and some 4 GB of disk.
+# Tests the first steps of a new user: makes a root folder of a Debian release, clones the last commit
+# into it, and runs ./dev demo and ./dev test as root and as an ordinary user. Ends with a table of the
+# times. It needs root, a mirror, and some 4 GB of disk.
 #
 #   tools/clean_room.sh bookworm|trixie
 set -eu
@@ -20,14 +20,14 @@ command -v mmdebstrap >/dev/null || {
     echo "clean-room: there is no mmdebstrap here: apt-get install mmdebstrap" >&2
     exit 69
 }
-# Again in a mount namespace of its own: what is mounted below goes with it.
+# The script runs again in its own mount namespace; its mounts end with it.
 [ -n "${RAYMARCH_CLEAN_ROOM:-}" ] ||
     RAYMARCH_CLEAN_ROOM=1 exec unshare --mount --propagation private "$0" "$release"
 
 mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' |
     grep -v security | sort -u | head -n 1)
 folder=$(mktemp -d)
-chmod 755 "$folder" # the user inside is another one
+chmod 755 "$folder" # for the ordinary user
 root=$folder/root
 trap 'umount -R "$root/dev" "$root/proc" "$root/sys" 2>/dev/null
     rm -rf --one-file-system "$folder"' EXIT
@@ -76,9 +76,9 @@ step "./dev test, as root" inside 'cd /srv/raymarchd && ./dev test'
 row "./dev test"
 step "./dev test again" inside 'cd /srv/raymarchd && ./dev test'
 row "./dev test, nothing changed"
-# A user without sudo, in a clone of his own: the packages are there.
+# The user has no sudo and another clone; the packages are already installed.
 inside 'useradd -m -s /bin/sh student
-    git clone -q /srv/raymarchd /home/student/raymarchd # git refuses a user what belongs to root
+    git clone -q /srv/raymarchd /home/student/raymarchd # git refuses a clone that belongs to root
     chown -R student: /home/student/raymarchd'
 step "./dev demo, as a user" as_user 'cd raymarchd && ./dev demo'
 row "./dev demo, as a user"

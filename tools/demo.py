@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The main job, shown: text through a terminal to pictures of the emulated accelerators.
+"""Shows the main use: text through a terminal becomes pictures of the emulated accelerators.
 
-Starts the real service with an emulated register block and a pseudo-terminal, sends the frames that
-the original user interface sends, prints the register words, and leaves one picture a scene; then
-switches to each of the other accelerators and leaves a picture of it. Each picture is compared with
-the one that `raymarchctl render` draws of the same. A contact sheet of all ends it.
+It starts the service with an emulated register block and a pseudo-terminal, sends the frames that the
+original user interface sends, prints the register words, and keeps one picture for each scene. Then it
+switches to each of the other accelerators and keeps a picture of it. Each picture is compared with that
+of `raymarchctl render`. At the end it draws a contact sheet.
 """
 
 import argparse
@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 
 class View(NamedTuple):
-    """One picture: what the sliders of the user interface stand at."""
+    """The positions of the user interface's sliders for one picture."""
 
     name: str
     scene: str
@@ -39,7 +39,7 @@ VIEWS = (
 
 
 def frame(view: View) -> str:
-    """The message of the user interface: three decimals, CR LF left to the sender."""
+    """Returns the frame as the user interface writes it, with three decimals and without CR LF."""
     yaw, pitch = math.radians(view.yaw), math.radians(view.pitch)
     forward = (math.cos(pitch) * math.sin(yaw), math.sin(pitch), math.cos(pitch) * math.cos(yaw))
     right = (math.cos(yaw), 0.0, -math.sin(yaw))
@@ -60,7 +60,7 @@ def frame(view: View) -> str:
 
 
 class Other(NamedTuple):
-    """A picture of another accelerator; without a preset its defaults."""
+    """A picture of another accelerator. Without a preset it has the defaults."""
 
     accelerator: str
     preset: str
@@ -70,7 +70,7 @@ OTHERS = (
     Other("fractal", "maze"),
     Other("sphere", "trio"),
     Other("whitted", "mirrors"),
-    Other("mandelbulb", ""),  # seconds a picture: the defaults, which are drawn when it is switched to
+    Other("mandelbulb", ""),  # a picture takes seconds; switching already draws the defaults
 )
 
 
@@ -87,7 +87,7 @@ What to try next:
 
 
 class Service:
-    """raymarchd with everything it touches below one folder."""
+    """raymarchd with all its files in one folder."""
 
     def __init__(self, build: Path, out: Path) -> None:
         self.control = build / "raymarchctl"
@@ -105,7 +105,7 @@ class Service:
         )
 
     def ask(self, *lines: str) -> list[str]:
-        """The replies to `lines`, sent through the terminal."""
+        """Sends `lines` through the terminal and returns the replies."""
         result = subprocess.run(
             [self.control, "send", "--port", str(self.terminal), *lines],
             check=True, capture_output=True, text=True,
@@ -113,12 +113,12 @@ class Service:
         return result.stdout.splitlines()
 
     def frames(self) -> int:
-        """How many frames the accelerator has finished."""
+        """Returns the number of frames that the accelerator has finished."""
         words = dict(word.split("=", 1) for word in self.ask("STATUS")[0].split() if "=" in word)
         return int(words["frames"])
 
     def wait_for_frames(self, count: int) -> None:
-        """Until so many frames are finished, and so the preview is written."""
+        """Waits until so many frames are finished; the preview is then written, too."""
         for _ in range(2400):
             if self.terminal.is_symlink() and self.frames() >= count:
                 return
@@ -133,7 +133,7 @@ class Service:
 
 
 def draw(service: Service, view: View, out: Path) -> bool:
-    """Sends one frame and keeps the picture; whether it is the one that render draws."""
+    """Sends one frame and keeps the picture. Returns whether render draws the same."""
     line = frame(view)
     before = service.frames()
     accepted, registers = service.ask(line, "REGS")
@@ -143,11 +143,11 @@ def draw(service: Service, view: View, out: Path) -> bool:
     shutil.copyfile(service.preview, picture)
 
     print(f"{view.name}\n  sent  {line}\n  reply {accepted}\n  words {registers.removeprefix('OK ')}")
-    return is_what_render_draws(service, picture, "--line", line)
+    return equals_rendered(service, picture, "--line", line)
 
 
 def draw_other(service: Service, other: Other, out: Path) -> bool:
-    """Switches to another accelerator and keeps its picture; whether it is the one that render draws."""
+    """Switches to another accelerator and keeps its picture. Returns whether render draws the same."""
     lines = [f"ACCELERATOR {other.accelerator}"]
     replies = service.ask(*lines)
     service.wait_for_frames(1)
@@ -164,10 +164,10 @@ def draw_other(service: Service, other: Other, out: Path) -> bool:
     print(name)
     for line, reply in zip(lines, replies):
         print(f"  sent  {line}\n  reply {reply}")
-    return is_what_render_draws(service, picture, *arguments)
+    return equals_rendered(service, picture, *arguments)
 
 
-def is_what_render_draws(service: Service, picture: Path, *arguments: str) -> bool:
+def equals_rendered(service: Service, picture: Path, *arguments: str) -> bool:
     check = picture.with_name("check.png")
     subprocess.run([service.control, "render", *arguments, "-o", check], check=True)
     same = check.read_bytes() == picture.read_bytes()
@@ -177,7 +177,7 @@ def is_what_render_draws(service: Service, picture: Path, *arguments: str) -> bo
 
 
 def draw_sheet(service: Service, out: Path) -> None:
-    """All accelerators on one contact sheet."""
+    """Draws all accelerators on one contact sheet."""
     views = [f"marcher:{preset}" for preset in ("sphere", "cube", "lattice", "tunnel")]
     views += ["fractal:maze", "fractal:menger_crossing", "fractal:cubes_street", "sphere:trio"]
     views += ["whitted:mirrors", "whitted:plate", "whitted:image2_room", "mandelbulb"]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Writes the documents that are made from the tables, or says which of them are stale.
+/// Writes the documents that are made from the tables, or reports which of them are stale.
 #include "drivers/atomic_file.hpp"
 #include "tools/generated.hpp"
 
@@ -21,11 +21,11 @@ namespace fs = std::filesystem;
 namespace drivers = raymarch::drivers;
 namespace tools = raymarch::tools;
 
-/// One generated text: a whole file, or what stands between two markers of one.
+/// One generated text: a whole file, or the text between two markers in a file.
 struct Document
 {
     const char* path;
-    const char* section; ///< empty: the whole file
+    const char* section; ///< empty for a whole file
     std::string (*make)();
 };
 
@@ -48,7 +48,8 @@ std::string read(const fs::path& path)
     return text.str();
 }
 
-/// `present` with the document's text in its place; empty when its markers are missing.
+/// Returns `present` with the new text of the document, or an empty string if its markers are
+/// missing.
 std::string updated(const Document& document, const std::string& present)
 {
     const std::string_view section = document.section;
@@ -76,9 +77,9 @@ int main(int argc, char** argv)
     fs::path root;
     bool check = false;
     bool write = false;
-    app.add_flag("--check", check, "only says which documents are stale; exit status 1 if one is");
-    app.add_flag("--write", write, "writes them")->excludes("--check");
-    app.add_option("ROOT", root, "of the repository")->required();
+    app.add_flag("--check", check, "report stale documents; the exit status is 1 if there are any");
+    app.add_flag("--write", write, "write the documents")->excludes("--check");
+    app.add_option("ROOT", root, "root folder of the repository")->required();
     CLI11_PARSE(app, argc, argv);
 
     bool stale = false;

@@ -245,14 +245,14 @@ std::string presets_section()
 std::string settings_file()
 {
     std::string text =
-        "# raymarchd.toml: every setting with its default. The command line beats this "
-        "file;\n# raymarchd --check-config says what is wrong with it.\n";
+        "# raymarchd.toml: every setting with its default. The command line overrides this "
+        "file;\n# raymarchd --check-config reports its errors.\n";
     for (const daemon::Setting& setting : daemon::settings()) {
-        const bool bare = setting.initial == "true" || setting.initial == "false" ||
-                          std::ranges::all_of(setting.initial, detail::is_digit);
+        const bool unquoted = setting.initial == "true" || setting.initial == "false" ||
+                              std::ranges::all_of(setting.initial, detail::is_digit);
         text += fmt::format(
             "\n# {}\n# {}\n#{} = {}\n", setting.meaning, setting.value, setting.name,
-            bare ? std::string(setting.initial) : fmt::format("\"{}\"", setting.initial));
+            unquoted ? std::string(setting.initial) : fmt::format("\"{}\"", setting.initial));
     }
     text +=
         fmt::format("\n# The line of each action of a button, a switch or an LED: none, or\n# {}\n"
@@ -266,7 +266,7 @@ std::string settings_file()
 
 std::string actions_table()
 {
-    std::string text = "\n| action | kind | default line | on a PYNQ-Z1 | does or shows |\n"
+    std::string text = "\n| action | kind | default line | on a PYNQ-Z1 | effect |\n"
                        "| --- | --- | --- | --- | --- |\n";
     for (const daemon::Action& action : daemon::actions())
         text +=

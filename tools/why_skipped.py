@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Says why tests were skipped, which ctest does not; then ctest's own summary once more.
+"""Prints why tests were skipped, which ctest does not, and then ctest's summary again.
 
-Usage: why_skipped.py BUILD OUTPUT    OUTPUT is what ctest printed. Prints nothing when none was.
+Usage: why_skipped.py BUILD OUTPUT    OUTPUT is the output of ctest. Prints nothing if no test was skipped.
 """
 
 import re
 import sys
 from pathlib import Path
 
-# What GoogleTest and our scripts print before they end a test that they skip.
+# GoogleTest and our scripts print these texts before they skip a test.
 REASONS = (
     re.compile(r": Skipped\n(?P<reason>(?:(?!\[).+\n)+)"),
     re.compile(r"skipped: (?P<reason>.+)\n"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Published check values of CRC-32/ISO-HDLC.
+/// Compares with published check values of CRC-32/ISO-HDLC.
 #include "base/crc32.hpp"
 
 #include <gtest/gtest.h>

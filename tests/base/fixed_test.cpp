@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Every expected code is worked out by hand; the reason stands at the end of its row.
+/// Every expected code was worked out by hand; the comment on its row gives the reason.
 #include "base/fixed.hpp"
 
 #include <gtest/gtest.h>

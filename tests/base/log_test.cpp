@@ -16,7 +16,7 @@ struct LevelRow
 {
     const char* name;
     Level level;
-    int priority; ///< of syslog(3)
+    int priority; ///< the number in syslog(3)
 };
 constexpr std::array levels = {
     LevelRow{"error", Level::Error, 3},   LevelRow{"warning", Level::Warning, 4},
@@ -75,7 +75,7 @@ TEST_F(Log, APersonReadsTheNameOfTheProgram)
 
 TEST_F(Log, AJournalReadsThePriority)
 {
-    // Whether a journal reads is asked once a process, so this takes a process of its own.
+    // A process checks JOURNAL_STREAM only once, so this test runs in a child process.
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     EXPECT_EXIT(log_to_a_journal(), testing::ExitedWithCode(0), "<4>lost");
 }

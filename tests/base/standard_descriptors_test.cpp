@@ -25,7 +25,7 @@ bool is_null(int fd)
            info.st_rdev == null.st_rdev && S_ISCHR(info.st_mode);
 }
 
-/// Runs `act` in a process of its own; its status, or -1.
+/// Runs `act` in a child process. Returns its status, or -1.
 int in_a_child(const std::function<int()>& act)
 {
     const pid_t child = ::fork();
@@ -35,8 +35,8 @@ int in_a_child(const std::function<int()>& act)
     return ::waitpid(child, &status, 0) == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// All eight sets of 0, 1 and 2: what is closed is filled, what is open stays what it is, and the
-/// next file gets another number.
+/// For each of the eight sets of 0, 1 and 2, the closed descriptors are opened, the open ones stay
+/// as they are, and the next file gets another number.
 TEST(StandardDescriptors, ThoseThatAreClosedAreFilled)
 {
     for (unsigned closed = 0; closed < 8; ++closed) {
@@ -64,7 +64,7 @@ TEST(StandardDescriptors, ThoseThatAreClosedAreFilled)
     }
 }
 
-/// Takes the right to make a root of one's own.
+/// This test needs the permission to make a new root folder.
 TEST(StandardDescriptors, AreFilledWithoutANullDeviceToo)
 {
     const int status = in_a_child([] {
@@ -76,7 +76,7 @@ TEST(StandardDescriptors, AreFilledWithoutANullDeviceToo)
         if (!fill_standard_descriptors())
             return 1;
         char byte = 'x';
-        for (int fd = 0; fd < 3; ++fd) // nothing comes, nothing goes, and nothing waits
+        for (int fd = 0; fd < 3; ++fd) // it can be neither read nor written, and nothing waits
             if (::read(fd, &byte, 1) == 1 || ::write(fd, &byte, 1) == 1)
                 return 2;
         return ::open("/", O_RDONLY) > 2 ? 0 : 3;

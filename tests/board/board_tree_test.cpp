@@ -10,7 +10,7 @@ namespace raymarch::board
 namespace
 {
 
-using namespace std::string_literals; // they know their length, with every zero
+using namespace std::string_literals; // such strings may contain NUL
 
 using test::write_text;
 

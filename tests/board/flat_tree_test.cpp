@@ -36,13 +36,13 @@ void expect_bad(const std::string& blob, const std::string& part)
     EXPECT_NE(values.error().message.find(part), std::string::npos) << values.error().message;
 }
 
-/// With another cell at `at`.
+/// Returns the blob with another cell at `at`.
 std::string with_cell(std::string blob, std::size_t at, std::uint32_t cell)
 {
     return blob.replace(at, 4, test::big_endian(cell, 4));
 }
 
-/// The byte at which the header says that a part begins.
+/// Returns the offset of a part, as the header gives it.
 std::size_t begin_of(const std::string& blob, std::size_t header_cell)
 {
     return cells_of(drivers::as_bytes(blob))[header_cell];
@@ -73,17 +73,17 @@ TEST(FlatTree, OnlyTheWholeNameCounts)
 TEST(FlatTree, AHeaderThatIsNoneOrLiesIsRefused)
 {
     const std::string blob = test::overlay_blob();
-    expect_bad("", "no compiled device tree");
-    expect_bad(blob.substr(0, 39), "no compiled device tree");
-    expect_bad(with_cell(blob, 0, 0xD00D'FEEE), "no compiled device tree");
+    expect_bad("", "it is not a compiled device tree");
+    expect_bad(blob.substr(0, 39), "it is not a compiled device tree");
+    expect_bad(with_cell(blob, 0, 0xD00D'FEEE), "it is not a compiled device tree");
     expect_bad(with_cell(blob, 4, 41), "its header says 41 bytes");
     for (const std::size_t part : {8U, 12U}) {
-        expect_bad(with_cell(blob, part, static_cast<std::uint32_t>(blob.size()) + 1), "behind");
-        expect_bad(with_cell(blob, part, 0xFFFF'FFFF), "behind its end");
+        expect_bad(with_cell(blob, part, static_cast<std::uint32_t>(blob.size()) + 1), "after");
+        expect_bad(with_cell(blob, part, 0xFFFF'FFFF), "after its end");
     }
 }
 
-/// Cut at any place, with a header that says so.
+/// The blob is cut at every byte, and the header gives the new length.
 TEST(FlatTree, ATreeThatIsCutIsRefused)
 {
     const std::string blob = test::overlay_blob();
@@ -91,7 +91,7 @@ TEST(FlatTree, ATreeThatIsCutIsRefused)
     for (std::size_t size = 40; size < strings; ++size) {
         std::string cut = with_cell(blob.substr(0, size), 4, static_cast<std::uint32_t>(size));
         cut = with_cell(cut, 12, 40);
-        expect_bad(cut, size < begin_of(blob, 2) ? "x.dtbo: " : "cut or garbled before byte ");
+        expect_bad(cut, size < begin_of(blob, 2) ? "x.dtbo: " : "cut or damaged before byte ");
     }
 }
 
@@ -100,41 +100,44 @@ TEST(FlatTree, AnUnknownTokenOrALengthBehindTheEndIsRefused)
     const std::string blob = test::overlay_blob();
     const std::size_t first = begin_of(blob, 2);
     for (const std::uint32_t token : {0U, 5U, 0x100U, 0xFFFF'FFFFU})
-        expect_bad(with_cell(blob, first, token), "garbled before byte");
-    const std::size_t length = first + 8 + 12 + 4; // of the first property, in the second node
+        expect_bad(with_cell(blob, first, token), "damaged before byte");
+    const std::size_t length =
+        first + 8 + 12 + 4; // the length of the first property, in the second node
     ASSERT_EQ(cells_of(drivers::as_bytes(blob).subspan(length)).front(), 4U);
     for (const std::uint32_t wrong : {0x1000U, 0x7FFF'FFFFU, 0xFFFF'FFFCU, 0xFFFF'FFFFU})
-        expect_bad(with_cell(blob, length, wrong), "garbled before byte");
+        expect_bad(with_cell(blob, length, wrong), "damaged before byte");
 }
 
-/// As by a token that has become another one: the cells are all there, and the tree is none.
+/// All cells are there, but a wrong token makes the tree invalid.
 TEST(FlatTree, NodesThatDoNotCloseAreRefused)
 {
     const std::string blob = test::overlay_blob();
     const std::size_t root = begin_of(blob, 2);
     const std::size_t device = root + 8;
     const std::size_t property = device + 12;
-    const std::size_t ends = begin_of(blob, 3) - 12;     // two nodes' and the tree's
-    expect_bad(with_cell(blob, ends, 4), "garbled");     // one too few
-    expect_bad(with_cell(blob, ends + 4, 9), "garbled"); // the tree's, too early
-    expect_bad(with_cell(blob, ends + 8, 2), "garbled"); // one too many
-    expect_bad(with_cell(blob, root, 9), "garbled");     // nothing at all
-    expect_bad(with_cell(blob, root, 2), "garbled");     // an end before any node
-    expect_bad(with_cell(with_cell(blob, root, 4), root + 4, 4), "garbled"); // one too many again
-    expect_bad(with_cell(blob, property + 8, 0x7FFF'FFFF), "garbled"); // a name behind the end
+    const std::size_t ends = begin_of(blob, 3) - 12;     // the ends of two nodes and of the tree
+    expect_bad(with_cell(blob, ends, 4), "damaged");     // one end of a node is missing
+    expect_bad(with_cell(blob, ends + 4, 9), "damaged"); // the tree ends too early
+    expect_bad(with_cell(blob, ends + 8, 2), "damaged"); // there is one end of a node too many
+    expect_bad(with_cell(blob, root, 9), "damaged");     // the tree is empty
+    expect_bad(with_cell(blob, root, 2), "damaged");     // a node ends before any begins
+    expect_bad(with_cell(with_cell(blob, root, 4), root + 4, 4), "damaged"); // one end too many
+    expect_bad(with_cell(blob, property + 8, 0x7FFF'FFFF), "damaged"); // the name is after the end
     std::string stray = blob;
-    stray.insert(ends + 8, test::big_endian(3, 4) + std::string(8, '\0')); // outside of any node
+    stray.insert(ends + 8, test::big_endian(3, 4) +
+                               std::string(8, '\0')); // the property is outside all nodes
     stray = with_cell(stray, 4, static_cast<std::uint32_t>(stray.size()));
     stray = with_cell(stray, 12, static_cast<std::uint32_t>(begin_of(blob, 3)) + 12);
-    expect_bad(stray, "garbled");
+    expect_bad(stray, "damaged");
     std::string two = blob;
     two.insert(ends + 8, test::big_endian(1, 4) + std::string(4, '\0') + test::big_endian(2, 4));
     two = with_cell(two, 4, static_cast<std::uint32_t>(two.size()));
     two = with_cell(two, 12, static_cast<std::uint32_t>(begin_of(blob, 3)) + 12);
-    expect_bad(two, "garbled"); // a second root
+    expect_bad(two, "damaged"); // a second root
 }
 
-/// Any byte of it wrong, in a block of memory of just its size, so that a look past the end shows.
+/// Each byte is wrong once. The memory block has exactly the blob's size, so that a sanitizer finds
+/// a read past the end.
 TEST(FlatTree, WhatIsGarbledIsReadWithinItsBytes)
 {
     const std::string blob = test::overlay_blob();

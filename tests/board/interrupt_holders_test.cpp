@@ -15,7 +15,7 @@ namespace raymarch::board
 namespace
 {
 
-using namespace std::string_literals; // they know their length, with every zero
+using namespace std::string_literals; // such strings may contain NUL
 
 using Interrupts = std::vector<SharedInterrupt>;
 
@@ -49,7 +49,8 @@ TEST(OverlayInterrupts, AreTheSharedOnesOfAllNodes)
 TEST_F(Holders, AreTheDriversDevicesWithTheSameInterrupt)
 {
     test::add_platform_device(folder / "sys", "40000000.fabric", {0, 29, 4});
-    test::add_platform_device(folder / "sys", "40010000.other", {0, 10, 4}); // 10 ends a line
+    test::add_platform_device(folder / "sys", "40010000.other",
+                              {0, 10, 4}); // the byte 10 is a line feed
     test::add_platform_device(folder / "sys", "40020000.percpu", {1, 29, 4});
     test::add_platform_device(folder / "sys", "40030000.second", {0, 40, 4, 0, 30, 1});
     test::add_platform_device(folder / "sys", "40040000.none", {});

@@ -28,7 +28,7 @@ std::string blob()
     return test::overlay_blob({{0, 29, 4}, {0, 30, 4}});
 }
 
-/// A compressed one: short, so that the tests are quick.
+/// A compressed bitstream is short, so the tests are quick.
 const test::BitstreamPlan plan = test::compressed_plan();
 
 LogicFiles files()
@@ -37,7 +37,7 @@ LogicFiles files()
     return {"top.bit", bit, "top.dtbo", blob()};
 }
 
-/// Every file under a folder with what it holds.
+/// Returns every file under a folder with its content.
 std::map<std::string, std::string> contents(const std::string& folder)
 {
     std::map<std::string, std::string> found;
@@ -57,7 +57,7 @@ class Loading : public testing::Test
         EXPECT_EQ(loaded.error().kind, kind) << loaded.error().message;
         EXPECT_NE(loaded.error().message.find(part), std::string::npos) << loaded.error().message;
     }
-    /// As a vendor kernel without the files by which logic is loaded: the mainline's manager.
+    /// The FPGA manager of a mainline kernel has no files to load logic.
     void take_firmware_attribute_away() const
     {
         fs::remove(kernel.path(std::string(test::fpga0) + "/firmware"));
@@ -113,11 +113,11 @@ TEST_F(Loading, AWrongFileChangesNothing)
     expect_failure(wrong, ErrorKind::BadData, "top.bit: it configures only a part of the logic");
     wrong = files();
     wrong.overlay[0] = 'x';
-    expect_failure(wrong, ErrorKind::BadData, "top.dtbo: no compiled device tree");
+    expect_failure(wrong, ErrorKind::BadData, "top.dtbo: it is not a compiled device tree");
     wrong.overlay = blob() + 'x';
     expect_failure(wrong, ErrorKind::BadData, std::to_string(blob().size() + 1));
     wrong.overlay = blob().replace(59, 1, "x"); // the first token
-    expect_failure(wrong, ErrorKind::BadData, "top.dtbo: its nodes are cut or garbled");
+    expect_failure(wrong, ErrorKind::BadData, "top.dtbo: its nodes are cut or damaged");
     wrong.overlay.clear();
     expect_failure(wrong, ErrorKind::BadData, "top.dtbo");
     wrong.overlay = blob().replace(4, 4, test::big_endian(largest_overlay + 1, 4));
@@ -127,7 +127,7 @@ TEST_F(Loading, AWrongFileChangesNothing)
     EXPECT_EQ(contents(folder / ""), before);
 }
 
-/// Whichever step fails, files and folders are as before; only the logic cannot be taken back.
+/// Whichever step fails, files and folders are as before. Only the logic stays changed.
 TEST_F(Loading, AStepThatFailsUndoesThoseBeforeIt)
 {
     test::write_text(installed, "an earlier one");
@@ -146,7 +146,7 @@ TEST_F(Loading, AStepThatFailsUndoesThoseBeforeIt)
     }
 }
 
-/// PYNQ's tree has such a device; the others have another driver, or another interrupt.
+/// PYNQ's device tree has such a device. The other devices have another driver or interrupt.
 TEST_F(Loading, WhoHoldsAnInterruptOfTheOverlayGivesWay)
 {
     test::add_platform_device(folder / "sys", "40000000.fabric", {0, 29, 4});
@@ -277,7 +277,7 @@ TEST(FpgaManager, OnlyOperatingLogicMayBeTouched)
 {
     const test::TemporaryFolder folder;
     const KernelTree tree(folder / "sys");
-    // Every other state that the kernel knows, and none at all.
+    // The list has every other state that the kernel knows, and no state.
     for (const std::string state :
          {"unknown", "power off", "power up", "reset", "firmware request", "firmware request error",
           "parse header", "parse header error", "write init", "write init error", "write",

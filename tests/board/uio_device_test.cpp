@@ -23,7 +23,7 @@ namespace
 
 constexpr std::size_t page = 4096;
 
-/// A sysfs tree, and an ordinary file that plays the device.
+/// A sysfs tree, and an ordinary file in place of the device.
 class Uio : public testing::Test
 {
   protected:
@@ -91,7 +91,7 @@ TEST_F(Uio, IsDescribedThroughALinkToo)
 
 TEST_F(Uio, NoDeviceOrTwoOfANameAreErrors)
 {
-    EXPECT_FALSE(find_uio(tree, "raymarch")); // no tree at all
+    EXPECT_FALSE(find_uio(tree, "raymarch")); // there is no tree
     add("uio0", "raymarch", "0x1000\n");
     add("uio1", "raymarch", "0x1000\n");
     const auto two = find_uio(tree, "raymarch");
@@ -112,7 +112,7 @@ TEST_F(Uio, OpensWhatSysfsDescribes)
     (*window)->write({0x20}, 0x1234'5678);
     EXPECT_EQ(test::word_in(node("uio0"), 0x20), 0x1234'5678U);
     EXPECT_GE((*window)->interrupt_fd(), 0);
-    EXPECT_EQ(test::word_in(node("uio0"), 0), 1U); // a 1 was written to the device: unmasked
+    EXPECT_EQ(test::word_in(node("uio0"), 0), 1U); // writing 1 to the device unmasks the interrupt
 }
 
 TEST_F(Uio, RegistersBeginAtTheOffset)
@@ -145,7 +145,8 @@ TEST_F(Uio, RefusalsNameTheDevice)
 TEST_F(Uio, HasOneOwnerWhoIsNamed)
 {
     add("uio0", "raymarch", "0x1000\n");
-    std::filesystem::create_symlink("uio0", folder / "dev/raymarch"); // as udev's rule makes it
+    std::filesystem::create_symlink("uio0",
+                                    folder / "dev/raymarch"); // the udev rule makes such a link
     const test::OtherProcess other([&] { return open("uio0"); });
     ASSERT_TRUE(other.has_it());
     for (const char* const device : {"uio0", "raymarch"}) {
@@ -168,8 +169,8 @@ TEST_F(Uio, ADeviceWhoseNodeIsGoneIsLost)
     EXPECT_TRUE((*window)->lost());
 }
 
-/// The file's bytes play the interrupts: each read takes the next four, each write goes there too.
-/// The registers stand behind them.
+/// The first bytes of the file stand for the interrupts: each read takes the next four, and each
+/// write goes there. The registers follow.
 TEST_F(Uio, InterruptsAreCountedAndArmedAgain)
 {
     add("uio0", "raymarch", "0x1000\n", "0x40\n");
@@ -189,7 +190,7 @@ TEST_F(Uio, InterruptsAreCountedAndArmedAgain)
     EXPECT_EQ((*window)->take_interrupt().value(), 10U) << "two came unseen";
 }
 
-/// A device without a line refuses to be armed; here because it is at its largest size.
+/// A device without an interrupt refuses the write that arms it. Here the file size limit does.
 TEST_F(Uio, ADeviceWithoutALineHasNoInterrupt)
 {
     add("uio0", "raymarch", "0x1000\n");
@@ -199,7 +200,7 @@ TEST_F(Uio, ADeviceWithoutALineHasNoInterrupt)
     const auto window = drivers::MappedWindow::open_uio(*device, page);
     ASSERT_TRUE(window) << window.error().message;
     EXPECT_EQ((*window)->interrupt_fd(), -1);
-    (*window)->arm_interrupt(); // and nothing happens
+    (*window)->arm_interrupt(); // it has no effect
     (*window)->write({0}, 5);
     EXPECT_EQ((*window)->read({0}), 5U);
 }

@@ -10,7 +10,7 @@ namespace raymarch::cli
 namespace
 {
 
-/// As the editor keeps it.
+/// Converts the bytes as the editor does.
 std::string utf8(char32_t code)
 {
     const auto byte = [code](int shift, char32_t front) {
@@ -64,15 +64,14 @@ TEST(TypedBytes, EveryByteComesBack)
             const std::string bytes = {static_cast<char>(first), static_cast<char>(second)};
             EXPECT_EQ(typed_bytes(kept(bytes)), bytes);
         }
-    std::mt19937 random(1); // always the same bytes
+    std::mt19937 random(1); // a fixed seed
     for (int i = 0; i < 20'000; ++i) {
         std::string bytes;
-        for (int j = 0; j < 8; ++j) // many of those that UTF-8 gives a meaning
+        for (int j = 0; j < 8; ++j) // many bytes with a meaning in UTF-8
             bytes += static_cast<char>(random() % 2 == 0 ? random() % 256 : 0x80 + random() % 0x80);
         EXPECT_EQ(typed_bytes(kept(bytes)), bytes);
     }
-    const std::string own =
-        "\xF4\x8F\x80\x80\xF4\x8F\x83\xBF"; // the characters for bytes themselves
+    const std::string own = "\xF4\x8F\x80\x80\xF4\x8F\x83\xBF"; // the private characters themselves
     EXPECT_EQ(typed_bytes(kept(own)), own);
 }
 

@@ -30,7 +30,7 @@ TEST(Actions, EachHasANameAMeaningAndALineOfItsOwn)
 
 TEST(Actions, TheHardwareAtFaultAndAFrameRefusedLightTheSameLed)
 {
-    const auto lit = [](const Glance& now) {
+    const auto lit = [](const PanelStatus& now) {
         for (const Action& action : actions())
             if (action.name == "refused")
                 return std::get<Show>(action.behaviour)(now);

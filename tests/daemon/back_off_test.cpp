@@ -17,8 +17,7 @@ TEST(BackOff, DoublesUpToHalfAMinute)
     EXPECT_EQ(back_off.next().count(), 250);
 }
 
-/// Found and lost in turns: only what lasted for half a minute takes the wait back to its
-/// beginning.
+/// The back-off starts again only if something stayed open for half a minute.
 TEST(BackOff, OnlyWhatLastedBeginsAnew)
 {
     using namespace std::chrono_literals;

@@ -18,15 +18,15 @@ namespace raymarch::daemon
 namespace
 {
 
-/// A port that says what a test wants it to say, and keeps what is written to it.
+/// A port with prepared input, which keeps its output.
 class ScriptedPort final : public drivers::BytePort
 {
   public:
     struct Script
     {
-        std::deque<std::pair<drivers::ReadStatus, std::string>> reads; ///< then it is empty
+        std::deque<std::pair<drivers::ReadStatus, std::string>> reads; ///< the results of read()
         std::string written;
-        std::size_t room = SIZE_MAX; ///< bytes that it still takes
+        std::size_t room = SIZE_MAX; ///< the bytes that still fit
     };
     explicit ScriptedPort(Script& script) : script_(script) {}
 
@@ -53,7 +53,7 @@ class ScriptedPort final : public drivers::BytePort
     UniqueFd fd_{::eventfd(0, EFD_CLOEXEC)};
 };
 
-/// The serial port's place is first, so that its turn comes with resume() itself.
+/// The serial port has the first rank, so resume() runs its turn at once.
 class EndpointTest : public testing::Test
 {
   protected:
@@ -65,7 +65,7 @@ class EndpointTest : public testing::Test
 
     test::Service service;
     EventLoop loop = EventLoop::open().value();
-    /// A test's steps are one turn each, on a busy machine too.
+    /// Each step of a test is one turn, also on a busy machine.
     Turns turns{loop, std::chrono::hours{1}};
     ScriptedPort::Script port;
     int gone = 0;
@@ -141,7 +141,7 @@ TEST_F(EndpointTest, ABusyHostIsReadOn)
     EXPECT_FALSE(endpoint.busy());
 }
 
-/// A host that takes some is waited for; every reply comes, in order.
+/// A slow host gets every reply in order.
 TEST_F(EndpointTest, AHostThatReadsSlowlyGetsAllOfIt)
 {
     port.room = 0;

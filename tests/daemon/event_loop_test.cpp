@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The loop when it cannot have what it asks for, and what its handlers may do.
+/// Tests sources that cannot be added, and exceptions in handlers.
 #include "daemon/event_loop.hpp"
 
 #include "tests/fakes/temporary_folder.hpp"
@@ -25,7 +25,7 @@ namespace
 
 using namespace std::chrono_literals;
 
-/// A source that cannot be had is there and does nothing; the loop says why there is none.
+/// A source that cannot be added does nothing, and the loop reports why.
 TEST(EventLoop, ASourceIsNeverNull)
 {
     EventLoop loop = *EventLoop::open();
@@ -84,7 +84,7 @@ TEST(EventLoop, ChangesOfAFolderAreTold)
     EXPECT_EQ(names, (std::vector<std::string>{"one", "two", "one"}));
 }
 
-/// sd-event is C: what a handler throws ends the loop, with a reason, and not the process.
+/// sd-event is C, so an exception in a handler ends the loop with an error, and not the process.
 TEST(EventLoop, AHandlerThatThrowsEndsTheLoop)
 {
     struct Row

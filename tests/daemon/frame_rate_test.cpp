@@ -31,7 +31,7 @@ TEST(FrameRate, CountsThatComeSeldomAreComparedWithTheOneBefore)
     FrameRate rate(0, start);
     rate.sample(100, start + 10s);
     EXPECT_EQ(rate.tenths_per_second(), 100U);
-    rate.sample(300, start + 20s); // not the 15 of both together
+    rate.sample(300, start + 20s); // the mean of both would be 15
     EXPECT_EQ(rate.tenths_per_second(), 200U);
 }
 
@@ -43,7 +43,7 @@ TEST(FrameRate, CountsThatComeOftenGiveThatOfTheLastSeconds)
     for (int i = 0; i < 100; ++i) // 10 s at 10 frames a second
         rate.sample(++frames, now += 100ms);
     EXPECT_EQ(rate.tenths_per_second(), 100U);
-    for (int i = 0; i < 60; ++i) // 3 s at 20
+    for (int i = 0; i < 60; ++i) // 3 s at 20 frames a second
         rate.sample(++frames, now += 50ms);
     EXPECT_EQ(rate.tenths_per_second(), 200U);
 }

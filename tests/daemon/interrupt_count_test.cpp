@@ -27,7 +27,7 @@ TEST(InterruptCount, AJumpShowsTheMissedOnes)
     count.take(14);
     EXPECT_EQ(count.taken(), 5U);
     EXPECT_EQ(count.missed(), 3U);
-    count.take(14); // woken without one
+    count.take(14); // no interrupt came
     EXPECT_EQ(count.taken(), 5U);
     EXPECT_EQ(count.missed(), 3U);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The panel in a real event loop, on lines in memory. Nothing is timed: a test waits for what is
-/// to come, and what is not to come is looked for after something that comes later.
+/// Tests the panel in a real event loop with lines in memory. A test waits for events and not for a
+/// time. That something does not happen is checked after a later event.
 #include "daemon/panel.hpp"
 
 #include "base/log.hpp"
@@ -48,14 +48,13 @@ class PanelTest : public testing::Test
         panel->start();
     }
 
-    /// One thing that happens, and what comes of it.
+    /// One action of a test and its result.
     struct Step
     {
         std::function<void()> happens;
         std::function<bool()> comes;
     };
-    /// Plays the steps in the loop, which runs once; false when one of them does not come to its
-    /// end in a long time.
+    /// Runs the steps in the loop. Returns false if a step does not end in a long time.
     [[nodiscard]] bool play(const std::vector<Step>& steps)
     {
         const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds{30};
@@ -80,7 +79,7 @@ class PanelTest : public testing::Test
         return at == steps.size();
     }
 
-    /// A press or a release that has lasted when the next edge comes.
+    /// A press or a release that is stable before the next edge.
     void drive(const std::string& line, bool on) { bank[line].drive(on, now += milliseconds{100}); }
     [[nodiscard]] bool lit(const std::string& line) { return *bank[line].read(); }
     [[nodiscard]] protocol::State state() const { return service.controller.state(); }
@@ -154,7 +153,7 @@ TEST_F(PanelTest, PressesCountOnceEach)
 TEST_F(PanelTest, AButtonThatIsHeldWhenItIsFoundIsNotPressed)
 {
     bank["btn1"].drive(true);
-    static_cast<void>(bank["btn1"].take_edge()); // before anybody listened
+    static_cast<void>(bank["btn1"].take_edge()); // before the panel listens
     start();
     ASSERT_TRUE(play({
         {[&] {
@@ -231,7 +230,7 @@ TEST_F(PanelTest, LedsShowFramesAndHardware)
 
 TEST_F(PanelTest, ThreeLedsShowTheColour)
 {
-    bank["led5_g"].drive(true); // left over from somebody else
+    bank["led5_g"].drive(true); // another program has lit it
     start();
     const auto shows = [&](bool red, bool green, bool blue) {
         return lit("led4_r") == red && lit("led4_g") == green && lit("led4_b") == blue;
@@ -287,7 +286,8 @@ TEST_F(PanelTest, WithoutAnyLineTheServiceGoesOn)
     EXPECT_EQ(log.find("no GPIO line", log.find('\n', reported)), std::string::npos) << "once";
 }
 
-/// Twice at the start, as a chip may come in between; then only when one appears.
+/// The lines are tried twice at the start, because a chip may appear in between, and then only when
+/// a chip appears.
 TEST_F(PanelTest, WithoutAnyChipNothingIsLookedForUntilOneComes)
 {
     ASSERT_TRUE(set_line(config, "reset", "/dev/gpiochip0:3"));
@@ -298,7 +298,8 @@ TEST_F(PanelTest, WithoutAnyChipNothingIsLookedForUntilOneComes)
     start();
     EXPECT_EQ(status(), " gpio=down");
     bool over = false;
-    const Source later = loop.add_timer([&] { over = true; }); // looks would have come twice
+    const Source later =
+        loop.add_timer([&] { over = true; }); // the back-off would have retried twice by then
     ASSERT_TRUE(play({
         {nothing, [&] { return bank.attempts == 2 * all; }},
         {[&] {
@@ -320,11 +321,13 @@ TEST_F(PanelTest, WithoutAnyChipNothingIsLookedForUntilOneComes)
     EXPECT_EQ(status(), " gpio=up");
     const std::string log = testing::internal::GetCapturedStderr();
     log::set_level(log::Level::Notice);
-    EXPECT_NE(log.find("there is no GPIO chip; one that comes is used"), std::string::npos) << log;
+    EXPECT_NE(log.find("there is no GPIO chip; a chip that appears later is used"),
+              std::string::npos)
+        << log;
     EXPECT_EQ(log.find("GPIO chip", log.find('\n')), std::string::npos) << "once: " << log;
 }
 
-/// The chip's name is there before its permissions are: then lines are looked for as ever.
+/// The chip has no permissions yet when it appears, so the lines are tried again with the back-off.
 TEST_F(PanelTest, AChipThatCannotBeOpenedYetIsTriedAgain)
 {
     bank.no_chip = true;

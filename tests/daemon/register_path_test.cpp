@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// States the exact ordered list of register accesses of each kind of update.
+/// Checks the exact order of the register accesses of each kind of update.
 #include "daemon/register_path.hpp"
 
 #include "protocol/accelerators.hpp"
@@ -51,7 +51,7 @@ Result<RegisterPath> probe(test::RecordingBus& bus)
     return RegisterPath::probe(bus, protocol::marcher::description);
 }
 
-/// A path over a block with or without extended registers, just probed.
+/// A path after probe(), for a block with or without extended registers.
 struct Block
 {
     explicit Block(bool extended)
@@ -119,7 +119,7 @@ TEST(Probe, AnUnknownKindIsRefused)
     const auto path = probe(bus);
     ASSERT_FALSE(path);
     EXPECT_NE(path.error().message.find("254"), std::string::npos) << path.error().message;
-    EXPECT_EQ(bus.take_accesses(), probe_extended); // and nothing is enabled
+    EXPECT_EQ(bus.take_accesses(), probe_extended); // the block is not enabled
 }
 
 TEST(RegisterPath, TheFirstUpdateWritesEveryWord)
@@ -180,7 +180,7 @@ TEST(RegisterPath, AfterABadReadBackEveryWordIsWritten)
     EXPECT_EQ(block.bus.take_accesses(), look_at_status + write_ones + read_all + commit);
 }
 
-/// Its words are gone, and so is what it was enabled by: two updates later it draws again.
+/// A reset clears the words and CONTROL of the block. After two updates it draws again.
 TEST(RegisterPath, LogicThatWasResetIsEnabledAgain)
 {
     Block block(true);
@@ -205,7 +205,7 @@ TEST(RegisterPath, WithoutAnEarlierStateThereIsNothingToRestore)
 TEST(RegisterPath, AWindowThatWentAwayIsAFailure)
 {
     Block block(false);
-    block.bus.is_lost = true; // even if what is read happens to agree
+    block.bus.is_lost = true; // even if the read values are right
     EXPECT_EQ(block.path->apply(all(0)), Applied::Failed);
 }
 
@@ -222,7 +222,7 @@ TEST(RegisterPath, NothingIsWrittenWhileACommitIsPending)
     EXPECT_EQ(block.bus.take_accesses(), look_at_status + look_at_status + look_at_status);
 
     block.bus.memory[0x38] = 0;
-    EXPECT_EQ(block.path->retry(), Applied::Written); // the newest of the two
+    EXPECT_EQ(block.path->retry(), Applied::Written); // the newer update
     EXPECT_EQ(block.bus.take_accesses(),
               look_at_status + Accesses{"W 04=00000003"} + read_all + commit);
     EXPECT_FALSE(block.path->deferred());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Tests of Reopener. The test sets the clock; where the Reopener is to look, the loop is real.
+/// The test sets the clock. The tests of retries use a real loop.
 #include "daemon/reopener.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Error unplugged(const std::string& message = "it is unplugged")
 class ReopenerTest : public testing::Test
 {
   protected:
-    /// What is logged while `action` runs.
+    /// Returns the log lines of `action`.
     template <typename Action>
     std::string log_of(Action action)
     {
@@ -60,14 +60,14 @@ TEST_F(ReopenerTest, AProblemIsLoggedOnceUntilItIsAnother)
 TEST_F(ReopenerTest, OfSeveralProblemsTheNewOnesAreLogged)
 {
     const auto tell = [&](std::set<std::string> problems) {
-        return log_of([&] { reopener.tell(std::move(problems)); });
+        return log_of([&] { reopener.log_new(std::move(problems)); });
     };
     EXPECT_NE(tell({"a", "b"}).find("no lamp: a; b; it will be tried again\n"), std::string::npos);
     EXPECT_EQ(tell({"a", "b"}), "");
     EXPECT_NE(tell({"b", "c"}).find("no lamp: c; it"), std::string::npos);
     EXPECT_EQ(tell({}), "");
     EXPECT_NE(tell({"c"}), "");
-    EXPECT_EQ(log_of([&] { reopener.tell({"d"}, log::Level::Debug, "never mind"); }), "");
+    EXPECT_EQ(log_of([&] { reopener.log_new({"d"}, log::Level::Debug, "never mind"); }), "");
 }
 
 TEST_F(ReopenerTest, ItWaitsLongerEachTimeWhileItIsMissing)
@@ -81,7 +81,7 @@ TEST_F(ReopenerTest, ItWaitsLongerEachTimeWhileItIsMissing)
     EXPECT_NE(log, "");
 }
 
-/// What is found and lost in turns is not looked for all the time.
+/// The back-off also grows if something is found and lost again and again.
 TEST_F(ReopenerTest, OnlyWhatStayedForHalfAMinuteIsLookedForSoon)
 {
     reopener.lost();
@@ -106,11 +106,11 @@ TEST_F(ReopenerTest, SomeOfItIsFoundAndLostWithoutAWord)
     EXPECT_EQ(reopener.wait(), 500ms);
     now += 30s;
     reopener.some_lost();
-    reopener.look_later();
+    reopener.retry_later();
     EXPECT_EQ(reopener.wait(), 250ms);
 }
 
-/// The loop looks after the wait, and stops when it is found.
+/// The loop retries after the delay, and stops after found().
 TEST_F(ReopenerTest, TheLoopLooksUntilItIsFound)
 {
     const auto begin = std::chrono::steady_clock::now();
@@ -121,7 +121,7 @@ TEST_F(ReopenerTest, TheLoopLooksUntilItIsFound)
         loop.quit();
     };
     const std::string log = log_of([&] {
-        reopener.look_now();
+        reopener.retry_now();
         ASSERT_TRUE(loop.run());
     });
     EXPECT_EQ(looks, 3);
@@ -132,14 +132,14 @@ TEST_F(ReopenerTest, TheLoopLooksUntilItIsFound)
 TEST_F(ReopenerTest, AReasonToLookEndsALongWait)
 {
     for (int i = 0; i < 12; ++i)
-        reopener.look_later();
+        reopener.retry_later();
     EXPECT_EQ(reopener.wait(), 30s);
     look = [this] {
-        reopener.look_later();
+        reopener.retry_later();
         EXPECT_EQ(reopener.wait(), 250ms);
         loop.quit();
     };
-    reopener.look_anew();
+    reopener.start_again();
     ASSERT_TRUE(loop.run());
 }
 

@@ -23,7 +23,7 @@ protocol::State initial()
     return protocol::initial_state(accelerator);
 }
 
-/// Of the accelerator of this test alone.
+/// Only the accelerator of this test has a state.
 PersistedStates only(const PersistedState& state)
 {
     PersistedStates states;
@@ -35,7 +35,7 @@ const std::string default_frame =
     "FX=0,FY=0,FZ=0.99999,RX=0.99999,RY=0,RZ=0,UX=0,UY=0.99999,UZ=0,ZM=3,"
     "LX=3,LY=2,LZ=5,R=0.999,G=0.999,B=0.999,OBJ=sphere";
 
-/// `body` between the header and a checksum that is right.
+/// Returns `body` between the header and a valid checksum.
 std::string checked(const std::string& body)
 {
     const std::string text = "raymarch-state 1\n" + body;

@@ -33,13 +33,13 @@ protocol::State with_zoom(std::int64_t code)
     return state;
 }
 
-/// Whether `store` saves it, by its own word.
+/// Returns whether `store` reports that it has saved the state.
 bool save(StateStore& store, const protocol::State& state)
 {
     return store.save(described, state).get() == state;
 }
 
-/// What a service that starts now finds.
+/// Returns the states that a new service reads.
 std::optional<protocol::State> last_in(const std::string& path)
 {
     StateStore store(path, {});
@@ -66,7 +66,7 @@ TEST_F(Store, WithoutAFileThereIsNothing)
     StateStore store(path, {});
     testing::internal::CaptureStderr();
     store.read();
-    EXPECT_EQ(testing::internal::GetCapturedStderr(), ""); // told from `info` on
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), ""); // the level of the message is `info`
     EXPECT_FALSE(store.last(described));
     EXPECT_FALSE(store.load(described).get());
 }
@@ -90,10 +90,10 @@ TEST_F(Store, WhatIsSavedIsInTheFile)
     EXPECT_EQ(store.load(described).get(), with_zoom(2));
     EXPECT_EQ(last_in(path), with_zoom(2));
     EXPECT_EQ(test::names_in(folder / ""),
-              std::vector<std::string>{"state"}); // and nothing else is left
+              std::vector<std::string>{"state"}); // no other file is left
 }
 
-/// Its OK says that the file holds the state; what the file held before does not matter.
+/// After OK the file has the state, whatever it had before.
 TEST_F(Store, ASaveLooksAtTheFile)
 {
     StateStore store(path, {});
@@ -154,7 +154,8 @@ TEST_F(Store, TheLastAndTheSavedStateAreTwo)
     store.read();
     EXPECT_EQ(store.last(described), with_zoom(2));
     EXPECT_EQ(store.load(described).get(), with_zoom(1));
-    EXPECT_EQ(store.load(other).get(), protocol::initial_state(other)); // saved none: the last
+    EXPECT_EQ(store.load(other).get(),
+              protocol::initial_state(other)); // no state was saved, so it is the last one
 }
 
 TEST_F(Store, TellsThatAnAnswerIsThere)
@@ -189,7 +190,7 @@ TEST_F(Store, ManySavesAtOnceAreAllAnswered)
     EXPECT_EQ(test::read_text(path), file_of(with_zoom(49)));
 }
 
-/// A copy from earlier that somebody puts there while the service runs.
+/// The user restores an older copy of the file while the service runs.
 TEST_F(Store, AFileThatSomebodyPutsThereIsLoaded)
 {
     {
@@ -229,7 +230,7 @@ INSTANTIATE_TEST_SUITE_P(All, BadFiles,
                                                  }()}),
                          [](const auto& row) { return row.param.name; });
 
-/// It is told of at once, and kept under another name before anything is written in its place.
+/// The file is reported at once, and renamed before the next write.
 TEST_P(BadFiles, AreKept)
 {
     test::write_text(path, GetParam().content);
@@ -248,7 +249,7 @@ TEST_P(BadFiles, AreKept)
     EXPECT_EQ(test::read_text(path), file_of(with_zoom(2)));
     EXPECT_EQ(test::read_text(path + ".bad"), GetParam().content);
     EXPECT_NE(log.find("starting from the defaults: " + path), std::string::npos) << log;
-    EXPECT_NE(log.find("kept as " + path + ".bad"), std::string::npos) << log;
+    EXPECT_NE(log.find("renamed to " + path + ".bad"), std::string::npos) << log;
     EXPECT_EQ(std::ranges::count(log, '\n'), 2) << log;
 }
 
@@ -267,7 +268,7 @@ TEST_P(BadFiles, AreKeptWhenTheyComeLater)
     EXPECT_EQ(test::read_text(path + ".bad-2"), GetParam().content);
 }
 
-/// No permission at the start is no reason to write over the file later.
+/// A file that could not be read at the start is not overwritten later.
 TEST_F(Store, AFileThatMayNotBeReadIsKept)
 {
     if (::geteuid() == 0)
@@ -279,7 +280,7 @@ TEST_F(Store, AFileThatMayNotBeReadIsKept)
     store.read();
     const std::string log = testing::internal::GetCapturedStderr();
     EXPECT_NE(log.find(path), std::string::npos) << log;
-    ASSERT_EQ(::chmod(path.c_str(), 0600), 0); // and can be read by now
+    ASSERT_EQ(::chmod(path.c_str(), 0600), 0); // it can be read now
     testing::internal::CaptureStderr();
     ASSERT_TRUE(save(store, with_zoom(1)));
     static_cast<void>(testing::internal::GetCapturedStderr());
@@ -298,8 +299,7 @@ TEST_F(Store, WhatIsNoFileIsLeftAlone)
     }
     const std::string log = testing::internal::GetCapturedStderr();
     EXPECT_TRUE(std::filesystem::is_directory(path));
-    EXPECT_EQ(std::ranges::count(log, '\n'), 2)
-        << log; // at the start, and when it was to be written
+    EXPECT_EQ(std::ranges::count(log, '\n'), 2) << log; // at the start and at the write
 }
 
 TEST_F(Store, AFifoIsNotWaitedFor)

@@ -26,7 +26,7 @@ void use_processor(std::chrono::microseconds time)
     }
 }
 
-/// Hosts that always have more to do, and a silent one that says something after many turns.
+/// Some hosts always have work; a silent host sends something after many turns.
 class TurnsTest : public testing::Test
 {
   protected:
@@ -68,7 +68,7 @@ TEST_F(TurnsTest, WhoWasSilentWaitsForATurnOrTwo)
     EXPECT_LE(served_at, 202);
 }
 
-/// The serial port has every other turn, and so far more than its share.
+/// The serial port gets every second turn, which is much more than an equal share.
 TEST_F(TurnsTest, AHostGetsItsTurnBesideTheSerialPortToo)
 {
     add_busy(Rank::First);

@@ -100,7 +100,7 @@ TEST_P(AtomicFile, OnlyAFileIsReplaced)
         const struct stat after = status_of(there);
         EXPECT_EQ(after.st_mode, before.st_mode) << name;
         EXPECT_EQ(after.st_ino, before.st_ino) << name;
-        // The same through a link.
+        // A symbolic link to it gives the same result.
         fs::create_symlink(there, path);
         EXPECT_FALSE(replace(path, "x")) << name;
         EXPECT_EQ(status_of(there).st_ino, before.st_ino) << name;
@@ -175,8 +175,8 @@ TEST_P(AtomicFile, LinksThatLeadNowhereAreErrorsAndStay)
     EXPECT_EQ(names_in(folder / ""), (Names{"a", "b", "far", "loop"}));
 }
 
-/// A link in /proc may lead to a file that has no name any more: nothing is made under the name
-/// that the kernel shows for it.
+/// A link in /proc may lead to a file that was removed. No file is made under the name that the
+/// kernel shows for it.
 TEST_P(AtomicFile, AnOpenFileWithoutANameIsNotReplaced)
 {
     test::write_text(path, "gone");
@@ -198,13 +198,13 @@ TEST_P(AtomicFile, PermissionsStay)
         ASSERT_EQ(::chmod(path.c_str(), 0600), 0);
         EXPECT_EQ(test::read_text(path), "new");
     }
-    // The right to run as somebody else is not for new content.
+    // New content does not keep the set-id bits.
     ASSERT_EQ(::chmod(path.c_str(), 06755), 0);
     ASSERT_TRUE(replace(path, "newer"));
     EXPECT_EQ(status_of(path).st_mode & 07777U, 0755U);
 }
 
-/// In a process of its own, for a umask is for all threads.
+/// The test runs in a child process, because a umask belongs to all threads.
 TEST_P(AtomicFile, ANewFileFollowsTheUmask)
 {
     for (const mode_t mask : {0022U, 0002U, 0077U}) {
@@ -231,8 +231,8 @@ TEST_P(AtomicFile, OwnerAndGroupStay)
     EXPECT_EQ(status_of(path).st_mode & 07777U, 0640U);
 }
 
-/// A user in whose folder a file of others stands: it becomes theirs, and a group that cannot be
-/// kept does not leave its rights to another one.
+/// A user replaces a file of another user in a folder of their own. The new file belongs to them,
+/// and if the group cannot be kept, the new group does not get its permissions.
 TEST_P(AtomicFile, WhoMayNotGiveItAwayDoesNotOpenItEither)
 {
     if (::geteuid() != 0)
@@ -255,7 +255,7 @@ TEST_P(AtomicFile, WhoMayNotGiveItAwayDoesNotOpenItEither)
     EXPECT_EQ(test::read_text(path), "new");
 }
 
-/// Linux's own form of "user::rw-, user:65000:rw-, group::---, mask::rw-, other::---".
+/// Returns "user::rw-, user:65000:rw-, group::---, mask::rw-, other::---" in the kernel's format.
 TEST_P(AtomicFile, AnAccessListStays)
 {
     constexpr const char* attribute = "system.posix_acl_access";
@@ -327,7 +327,7 @@ TEST_P(AtomicFile, NamesMayBeAsLongAsTheFileSystemTakes)
             EXPECT_EQ(test::read_text(name), "second");
         }
     }
-    // A long name that is nearly all ending, and one of two bytes a letter.
+    // One long name is nearly all ending; the letters of the other have two bytes each.
     ASSERT_TRUE(replace(folder / ("." + std::string(254, 'e')), "x"));
     std::string letters;
     for (int i = 0; i < 127; ++i)
@@ -355,12 +355,12 @@ TEST_P(AtomicFile, FilesOfOthersBesideItStay)
 
 TEST_P(AtomicFile, WhatAKilledRunLeftIsNoObstacle)
 {
-    for (int round = 0; round < 150; ++round) // more than the names that are tried
+    for (int round = 0; round < 150; ++round) // more than the number of attempts
         ASSERT_EQ(test::status_in_child([&] {
-                      auto left = UnfinishedFile::open(path);
+                      auto left = TemporaryFile::open(path);
                       const bool written = left && left->write(as_bytes("half"));
                       if (written)
-                          ::_exit(0); // without a destructor, as a kill
+                          ::_exit(0); // no destructor runs, as after a kill
                       return 1;
                   }),
                   0);

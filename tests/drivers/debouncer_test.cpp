@@ -21,9 +21,9 @@ TEST(Debouncer, APressThatBouncesCountsOnce)
     EXPECT_EQ(button.edge(true, milliseconds{1000}), nothing);
     EXPECT_EQ(button.edge(false, milliseconds{1002}), nothing);
     EXPECT_EQ(button.edge(true, milliseconds{1003}), nothing);
-    EXPECT_EQ(button.quiet(true), true);
+    EXPECT_EQ(button.sample(true), true);
     EXPECT_TRUE(button.level());
-    EXPECT_EQ(button.quiet(true), nothing);
+    EXPECT_EQ(button.sample(true), nothing);
 }
 
 TEST(Debouncer, AReleaseThatBouncesCountsOnce)
@@ -32,7 +32,7 @@ TEST(Debouncer, AReleaseThatBouncesCountsOnce)
     EXPECT_EQ(button.edge(false, milliseconds{50}), nothing);
     EXPECT_EQ(button.edge(true, milliseconds{51}), nothing);
     EXPECT_EQ(button.edge(false, milliseconds{52}), nothing);
-    EXPECT_EQ(button.quiet(false), false);
+    EXPECT_EQ(button.sample(false), false);
 }
 
 TEST(Debouncer, AGlitchCountsForNothing)
@@ -40,26 +40,26 @@ TEST(Debouncer, AGlitchCountsForNothing)
     Debouncer button(settle, false);
     EXPECT_EQ(button.edge(true, milliseconds{1000}), nothing);
     EXPECT_EQ(button.edge(false, milliseconds{1009}), nothing);
-    EXPECT_EQ(button.quiet(false), nothing);
+    EXPECT_EQ(button.sample(false), nothing);
     EXPECT_FALSE(button.level());
 }
 
-/// The loop was busy, and press and release come together: their own times tell them apart.
+/// The loop was busy, so press and release are read together. Their timestamps separate them.
 TEST(Debouncer, APressThatIsReadLateIsNotLost)
 {
     Debouncer button(settle, false);
     EXPECT_EQ(button.edge(true, milliseconds{1000}), nothing);
     EXPECT_EQ(button.edge(false, milliseconds{1010}), true) << "it had lasted just long enough";
     EXPECT_EQ(button.edge(true, milliseconds{1300}), false);
-    EXPECT_EQ(button.quiet(true), true);
+    EXPECT_EQ(button.sample(true), true);
 }
 
 TEST(Debouncer, EdgesThatTheSystemDroppedAreMadeUpFor)
 {
     Debouncer button(settle, false);
     EXPECT_EQ(button.edge(true, milliseconds{1000}), nothing);
-    EXPECT_EQ(button.quiet(false), nothing) << "the release was never reported";
-    EXPECT_EQ(button.quiet(true), true) << "and now the press was not";
+    EXPECT_EQ(button.sample(false), nothing) << "the release was never reported";
+    EXPECT_EQ(button.sample(true), true) << "and now the press was not";
 }
 
 TEST(Debouncer, TwoEdgesOfOneDirectionAreTaken)
@@ -67,7 +67,7 @@ TEST(Debouncer, TwoEdgesOfOneDirectionAreTaken)
     Debouncer button(settle, false);
     EXPECT_EQ(button.edge(true, milliseconds{1000}), nothing);
     EXPECT_EQ(button.edge(true, milliseconds{1020}), true);
-    EXPECT_EQ(button.quiet(true), nothing);
+    EXPECT_EQ(button.sample(true), nothing);
 }
 
 TEST(Debouncer, ATimeThatGoesBackHasNotLasted)
@@ -75,7 +75,7 @@ TEST(Debouncer, ATimeThatGoesBackHasNotLasted)
     Debouncer button(settle, false);
     EXPECT_EQ(button.edge(true, milliseconds{1000}), nothing);
     EXPECT_EQ(button.edge(false, milliseconds{5}), nothing);
-    EXPECT_EQ(button.quiet(false), nothing);
+    EXPECT_EQ(button.sample(false), nothing);
 }
 
 TEST(Debouncer, WithoutASettlingTimeEveryEdgeCounts)
@@ -85,7 +85,8 @@ TEST(Debouncer, WithoutASettlingTimeEveryEdgeCounts)
     for (int i = 1; i <= 4; ++i)
         if (const auto level = button.edge(i % 2 == 1, milliseconds{i}))
             levels.push_back(*level);
-    EXPECT_EQ(levels, (std::vector<bool>{true, false, true})); // the last one waits for the next
+    EXPECT_EQ(levels,
+              (std::vector<bool>{true, false, true})); // the next edge accepts the last level
 }
 
 } // namespace

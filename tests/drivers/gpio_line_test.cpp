@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What opening a line says when there is no such line. Names and labels hold what no machine has,
-/// so that the tests are the same where there are chips.
+/// Tests the errors for lines that do not exist. No machine has these names and labels, so the
+/// tests also work on a machine with GPIO chips.
 #include "drivers/gpio_line.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ Error refusal(std::string_view text, LineUse use = LineUse::Input)
     return pin ? Error{} : pin.error();
 }
 
-/// Or that there is no chip at all, where that is so.
+/// Also accepts the error that there is no chip.
 void expect_message(const Error& error, const std::string& message)
 {
     EXPECT_EQ(error.kind, ErrorKind::Unavailable);

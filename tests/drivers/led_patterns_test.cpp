@@ -26,7 +26,7 @@ std::string looks(Blinker& led, std::initializer_list<std::uint64_t> counts)
 {
     std::string pattern;
     for (const std::uint64_t count : counts)
-        pattern += led.look(count) ? '#' : '.';
+        pattern += led.sample(count) ? '#' : '.';
     return pattern;
 }
 

@@ -33,7 +33,7 @@ TEST(LineSpec, PlacesAreNamesOrChipsWithOffsets)
         EXPECT_EQ(to_string(place(text)), text);
 }
 
-/// Device trees of boards have such names.
+/// The device trees of boards have such names.
 TEST(LineSpec, NamesMayHoldBlanks)
 {
     const auto places = [](std::string_view text) { return parse_line_spec(text)->places; };

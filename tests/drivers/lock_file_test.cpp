@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 class Lock : public testing::Test
 {
   protected:
-    /// Expects that the lock at `path` is held, by `holder` where one is named.
+    /// Expects that the lock at `path` is held, by `holder` if that is given.
     static void expect_held(const Result<LockFile>& lock, const std::string& path,
                             std::optional<pid_t> holder = std::nullopt)
     {
@@ -62,7 +62,7 @@ TEST_F(Lock, HoldsWithinOneProcessToo)
     auto first = LockFile::take(path);
     ASSERT_TRUE(first);
     expect_held(LockFile::take(path), path);
-    expect_held(LockFile::take(path), path); // the look itself has not freed it
+    expect_held(LockFile::take(path), path); // the failed attempt has not released it
     const LockFile moved = std::move(*first);
     expect_held(LockFile::take(path), path);
 }
@@ -114,21 +114,21 @@ TEST_F(Lock, BesideAFileHasOneLockUnderEachOfItsNames)
 {
     fs::create_directory(folder / "real");
     fs::create_symlink("real", folder / "alias");
-    fs::create_symlink("real/state", folder / "link"); // leads nowhere yet
-    const auto lock = LockFile::beside(folder / "link");
+    fs::create_symlink("real/state", folder / "link"); // the target does not exist yet
+    const auto lock = LockFile::take_for(folder / "link");
     ASSERT_TRUE(lock) << lock.error().message;
     test::write_text(folder / "real/state", "it is there now");
     for (const char* const name : {"link", "real/state", "alias/state", "real/../alias/state"})
-        expect_held(LockFile::beside(folder / name), folder / name);
-    EXPECT_TRUE(LockFile::beside(folder / "real/another"));
+        expect_held(LockFile::take_for(folder / name), folder / name);
+    EXPECT_TRUE(LockFile::take_for(folder / "real/another"));
 }
 
 TEST_F(Lock, WhatIsNoOrdinaryFileHasNoOwner)
 {
     ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);
     for (const std::string& name : {std::string("/dev/null"), folder / "fifo"}) {
-        const auto first = LockFile::beside(name);
-        const auto second = LockFile::beside(name);
+        const auto first = LockFile::take_for(name);
+        const auto second = LockFile::take_for(name);
         EXPECT_TRUE(first && second) << name;
         EXPECT_FALSE(fs::exists(name + ".lock"));
     }
@@ -150,7 +150,7 @@ TEST_F(Lock, ADescriptorIsLockedWhateverItIsOpenFor)
         << locked.error().message;
 }
 
-/// A program that locks by flock() and hangs out no name tag, as flock(1) does.
+/// A program such as flock(1) locks with flock() and does not publish its process number.
 TEST_F(Lock, AHolderThatDoesNotTellItsNameIsAnotherProcess)
 {
     const UniqueFd holder(::open(path.c_str(), O_RDONLY | O_CREAT | O_CLOEXEC, 0600));

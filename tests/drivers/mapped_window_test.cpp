@@ -91,7 +91,7 @@ TEST(RegisterFile, AFileThatIsCutWhileMappedIsLost)
     std::filesystem::resize_file(path, 0);
     EXPECT_EQ((*window)->read({8}), 0U);
     EXPECT_TRUE((*window)->lost());
-    (*window)->write({8}, 6); // goes nowhere, and does not end the process
+    (*window)->write({8}, 6); // the store has no effect and does not end the process
 }
 
 TEST(RegisterFile, AWriteFindsTheLossToo)
@@ -133,7 +133,7 @@ TEST(RegisterFile, OpenedAgainItIsNew)
     EXPECT_FALSE((*again)->lost());
 }
 
-/// A size in the middle of a page raises no fault at all.
+/// A new size in the middle of a page causes no fault.
 TEST(RegisterFile, AFileThatIsShortenedIsLost)
 {
     for (const std::size_t size : {page - 1, page / 2, std::size_t{1}}) {
@@ -196,7 +196,7 @@ TEST(RegisterFile, HasOneOwnerWhoIsNamed)
     EXPECT_TRUE(MappedWindow::open_file(path, page));
 }
 
-/// A signal that somebody sends is no fault of memory: it ends nothing, and the watch goes on.
+/// A signal from another process is not a fault: the process and the watch go on.
 TEST(RegisterFile, AStraySignalDoesNotEndTheWatch)
 {
     const test::TemporaryFolder folder;
@@ -212,7 +212,7 @@ TEST(RegisterFile, AStraySignalDoesNotEndTheWatch)
     EXPECT_TRUE((*window)->lost());
 }
 
-/// A fault at a place that nobody watches still ends the process, also after a stray signal.
+/// A fault outside all watched mappings ends the process, also after a signal from outside.
 TEST(BusFaultDeathTest, AFaultElsewhereEndsTheProcess)
 {
     const test::TemporaryFolder folder;
@@ -223,7 +223,7 @@ TEST(BusFaultDeathTest, AFaultElsewhereEndsTheProcess)
         void* const base = ::mmap(nullptr, page, PROT_READ, MAP_SHARED, fd.get(), 0);
         std::_Exit(*static_cast<const volatile char*>(base));
     };
-    // A sanitizer that had the signal before ends the process in its own way.
+    // If a sanitizer handled the signal before, it ends the process in its own way.
     EXPECT_EXIT(
         fault(), [](int status) { return WIFSIGNALED(status) || WEXITSTATUS(status) != 0; }, "");
 }

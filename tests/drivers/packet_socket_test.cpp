@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What needs no right. Frames over a veth pair are in tests/service/export_over_veth.py.
+/// These tests need no permission. tests/service/export_over_veth.py tests frames over a veth pair.
 #include "drivers/packet_socket.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,8 @@ TEST(PacketSocket, AnInterfaceThatIsNotThereIsNamed)
         const auto port = PacketSocket::open(name);
         ASSERT_FALSE(port) << name;
         EXPECT_EQ(port.error().kind, ErrorKind::Unavailable);
-        EXPECT_TRUE(port.error().message.starts_with(std::string(name) + ": no such interface"))
+        EXPECT_TRUE(
+            port.error().message.starts_with(std::string(name) + ": there is no such interface"))
             << port.error().message;
     }
 }

@@ -15,7 +15,7 @@ namespace
 using Bytes = std::vector<std::uint8_t>;
 using namespace std::chrono_literals;
 
-/// Version 2.4, captures of up to 65535 bytes, Ethernet; behind the magic.
+/// The header after the magic: version 2.4, frames of up to 65535 bytes, Ethernet.
 const Bytes low_header = {2, 0, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xFF, 0xFF, 0, 0, 1, 0, 0, 0};
 const Bytes high_header = {0, 2, 0, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xFF, 0xFF, 0, 0, 0, 1};
 
@@ -33,8 +33,8 @@ std::string why_not(const Bytes& bytes)
     if (reader)
         return "";
     EXPECT_EQ(reader.error().kind, ErrorKind::BadData);
-    EXPECT_TRUE(reader.error().message.starts_with("some.pcap: "));
-    return reader.error().message.substr(11);
+    EXPECT_TRUE(reader.error().message.starts_with("some.pcap "));
+    return reader.error().message.substr(10);
 }
 
 TEST(PcapWriter, ToTheByte)
@@ -108,7 +108,7 @@ TEST(PcapReader, LateTimesDoNotWrap)
     EXPECT_EQ((*read)->time, 4'294'967'295s + 4'294'967'295us);
 }
 
-/// As `tcpdump -s 96` writes them.
+/// `tcpdump -s 96` writes such records.
 TEST(PcapReader, TellsOfFramesThatWereCaughtInPart)
 {
     const Bytes file = joined({{0xA1, 0xB2, 0xC3, 0xD4},
@@ -129,9 +129,9 @@ TEST(PcapReader, RefusesOtherFiles)
 {
     const Bytes magic = {0xD4, 0xC3, 0xB2, 0xA1};
     EXPECT_EQ(why_not(joined({magic, low_header})), "");
-    EXPECT_EQ(why_not({}), "is no pcap file");
-    EXPECT_EQ(why_not(magic), "is no pcap file");
-    EXPECT_EQ(why_not(Bytes(24, 'x')), "is no pcap file");
+    EXPECT_EQ(why_not({}), "is not a pcap file");
+    EXPECT_EQ(why_not(magic), "is not a pcap file");
+    EXPECT_EQ(why_not(Bytes(24, 'x')), "is not a pcap file");
     EXPECT_EQ(why_not({0x0A, 0x0D, 0x0D, 0x0A}),
               "is a pcapng file; editcap -F pcap makes a pcap file of it");
     Bytes wireless = joined({magic, low_header});
@@ -139,8 +139,8 @@ TEST(PcapReader, RefusesOtherFiles)
     EXPECT_EQ(why_not(wireless), "has frames of link type 105; Ethernet, which is 1, is needed");
     Bytes newer = joined({magic, low_header});
     newer[6] = 5;
-    EXPECT_EQ(why_not(newer), "is a pcap file of another version than 2.4");
-    EXPECT_EQ(why_not(joined({magic, high_header})), "is a pcap file of another version than 2.4");
+    EXPECT_EQ(why_not(newer), "is a pcap file, but its version is not 2.4");
+    EXPECT_EQ(why_not(joined({magic, high_header})), "is a pcap file, but its version is not 2.4");
 }
 
 /// The link type's upper half tells how long the check sequences are.

@@ -32,7 +32,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// A host at the other end, as a program that opens the link.
+/// A host is a program that opens the link.
 class Host
 {
   public:
@@ -45,7 +45,7 @@ class Host
     {
         EXPECT_EQ(::write(fd_.get(), text.data(), text.size()), static_cast<ssize_t>(text.size()));
     }
-    /// What is there to be read, which may be nothing.
+    /// Reads all bytes that have come.
     [[nodiscard]] std::string hear() const
     {
         std::array<char, 256> bytes{};
@@ -176,7 +176,7 @@ TEST_F(Pty, TheSettingsOfAHostThatSpokeDoNotStay)
         host.say("PING\n");
         EXPECT_EQ(read_text().substr(0, 5), "PING\n");
     }
-    while (read_status() == ReadStatus::Data) { // what was echoed
+    while (read_status() == ReadStatus::Data) { // drops the echo
     }
     expect_raw(Host(link).settings());
 }
@@ -229,9 +229,9 @@ TEST_F(Pty, TheLinkOfAKilledServiceIsReplaced)
 
 TEST_F(Pty, ALinkThatWasReplacedIsLeftAlone)
 {
-    fs::rename(link, folder / "away"); // the number of the old link stays taken
+    fs::rename(link, folder / "away"); // the inode number of the old link stays in use
     EXPECT_FALSE(port->link_in_place());
-    fs::create_symlink(port->name(), link); // the same words, and yet another's
+    fs::create_symlink(port->name(), link); // it has the same target, but is another link
     EXPECT_FALSE(port->link_in_place());
     EXPECT_FALSE(port->restore_link());
     port.reset();
@@ -261,8 +261,8 @@ TEST_F(Pty, IsForItsOwnerAndGroup)
     EXPECT_EQ(info.st_gid, ::getegid());
 }
 
-/// Whatever a host leaves in the terminal, the next one finds it as the first did. It need not have
-/// said anything.
+/// Whatever a host leaves in the terminal, the next host finds it as the first one did, even if the
+/// first one sent nothing.
 struct Leaving
 {
     const char* name;
@@ -324,7 +324,7 @@ TEST_P(LeftBehind, BytesDoNotReachTheNextHost)
         ReadStatus status = read_status();
         while (status == ReadStatus::Data || status == ReadStatus::HungUp)
             status = read_status();
-        if (status == ReadStatus::Gone) { // not root: a new terminal takes its place
+        if (status == ReadStatus::Gone) { // without root, a new terminal replaces it
             port.reset();
             SetUp();
         }
@@ -337,7 +337,7 @@ TEST_P(LeftBehind, BytesDoNotReachTheNextHost)
         EXPECT_EQ(now.c_lflag, first.c_lflag);
         EXPECT_EQ(now.c_cc[VMIN], first.c_cc[VMIN]);
         EXPECT_EQ(::flock(next.fd(), LOCK_EX | LOCK_NB), 0);
-        const Host beside(link); // not exclusive: a second may open it
+        const Host beside(link); // the terminal is not exclusive, so a second host may open it
         next.say("x");
         EXPECT_EQ(read_text(), "x");
         EXPECT_EQ(port->write("OK\r\n"), 4U);
@@ -350,16 +350,17 @@ INSTANTIATE_TEST_SUITE_P(Hosts, LeftBehind, testing::Values(true, false), [](con
     return row.param ? "AfterAHostThatSpoke" : "AfterASilentHost";
 });
 
-/// The service was busy, or asleep, while one host left and the next came: it never saw the
-/// terminal alone. The half line that it has read is the first one's.
+/// The service was busy while one host left and the next came, so it never saw the terminal closed.
+/// The half line that it has read belongs to the first host.
 TEST_F(Pty, AHostThatIsFollowedAtOnceIsSeenToLeave)
 {
     for (const Leaving& leaving : leavings) {
         if (std::string_view(leaving.name).find("exclusive") != std::string_view::npos ||
             leaving.name == std::string_view("all at once"))
-            continue; // that one keeps the next out, unless it is root
+            continue; // exclusive mode keeps out the next host, unless it is root
         SCOPED_TRACE(leaving.name);
-        while (read_status() != ReadStatus::Empty) { // until the one before is forgotten
+        while (read_status() !=
+               ReadStatus::Empty) { // until the hang-up of the last host has been read
         }
         std::optional<Host> first(std::in_place, link);
         port->look();
@@ -384,7 +385,7 @@ TEST_F(Pty, AHostThatIsFollowedAtOnceIsSeenToLeave)
     }
 }
 
-/// One program reads while others write, one after the other: the terminal is never left.
+/// One program reads while others write one after the other, so the terminal is always open.
 TEST_F(Pty, WhoReadsBesideOthersThatComeAndGoLosesNothing)
 {
     const Host reader(link);
@@ -403,8 +404,8 @@ TEST_F(Pty, WhoReadsBesideOthersThatComeAndGoLosesNothing)
     EXPECT_EQ(heard, "OK\r\nOK\r\nOK\r\n");
 }
 
-/// Two hosts that come together are counted as one. However wrong the count, the service's own
-/// visit must not count as a host that follows: it would visit, and flush replies, for ever.
+/// Two hosts that come together are counted as one. The service's own open() must not count as a
+/// new host then, because each reset would cause the next one.
 TEST_F(Pty, ComesToRestAlsoWhenHostsWereMiscounted)
 {
     std::optional<Host> first(std::in_place, link);
@@ -431,7 +432,7 @@ TEST_F(Pty, ComesToRestAlsoWhenHostsWereMiscounted)
     }
 }
 
-/// Our own look at the other end must not wake us again and again.
+/// When the service opens the other end itself, its own events must not wake it again.
 TEST_F(Pty, ComesToRestAfterAHostHasLeft)
 {
     Host(link).say("PING\n");

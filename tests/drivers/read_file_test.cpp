@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Reading a whole file, and setting a damaged one aside.
+/// Tests read_file() and set_aside().
 #include "drivers/atomic_file.hpp"
 #include "tests/fakes/special_files.hpp"
 #include "tests/fakes/temporary_folder.hpp"

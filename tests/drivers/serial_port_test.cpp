@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The far end of a pseudo-terminal plays the serial line's device.
+/// A pseudo-terminal takes the place of the serial device.
 #include "drivers/serial_port.hpp"
 
 #include "tests/fakes/other_process.hpp"
@@ -35,7 +35,7 @@ class Serial : public testing::Test
         ASSERT_EQ(::ptsname_r(line.get(), name.data(), name.size()), 0);
         device = name.data();
     }
-    /// The device's settings, as the line sees them.
+    /// Returns the settings of the device.
     [[nodiscard]] termios settings() const
     {
         termios now = {};
@@ -98,7 +98,7 @@ TEST_F(Serial, ASecondOpenerIsRefused)
     EXPECT_EQ(second.error().kind, ErrorKind::Unavailable);
     EXPECT_NE(second.error().message.find(device), std::string::npos);
     const termios now = settings();
-    EXPECT_EQ(::cfgetospeed(&now), static_cast<speed_t>(B9600)); // the first one's still
+    EXPECT_EQ(::cfgetospeed(&now), static_cast<speed_t>(B9600)); // the first port's speed stays
 }
 
 TEST_F(Serial, ASecondOpenerHearsWhoHasIt)
@@ -112,7 +112,7 @@ TEST_F(Serial, ASecondOpenerHearsWhoHasIt)
         << second.error().message;
 }
 
-/// TIOCEXCL would stay when the program is killed, and keep everybody but root out.
+/// TIOCEXCL would stay after the program is killed, and keep out everybody except root.
 TEST_F(Serial, AProgramThatIsKilledLeavesAPseudoTerminalOpenToOthers)
 {
     test::OtherProcess other([&] { return SerialPort::open(device, 9600); });
@@ -150,7 +150,7 @@ TEST_F(Serial, TheOldSettingsComeBack)
     EXPECT_EQ(settings().c_iflag, before.c_iflag);
     EXPECT_EQ(settings().c_oflag, before.c_oflag);
     EXPECT_EQ(settings().c_cflag, before.c_cflag);
-    EXPECT_TRUE(SerialPort::open(device, 9600)); // and so does the right to open it
+    EXPECT_TRUE(SerialPort::open(device, 9600)); // it can be opened again
 }
 
 TEST_F(Serial, ALineThatHangsUpIsGone)

@@ -38,7 +38,7 @@ TEST_F(Socket, BytesGoBothWays)
 {
     auto listener = SocketListener::open(path);
     ASSERT_TRUE(listener) << listener.error().message;
-    EXPECT_EQ(listener->accept(), nullptr); // nobody yet, and it does not wait
+    EXPECT_EQ(listener->accept(), nullptr); // there is no client, and it does not wait
     const auto client = SocketPort::connect(path);
     ASSERT_TRUE(client) << client.error().message;
     const auto server = listener->accept().value();
@@ -65,7 +65,7 @@ TEST_F(Socket, AClientThatLeavesIsGone)
     client->reset();
     std::array<char, 16> bytes{};
     EXPECT_EQ(server->read(bytes).status, ReadStatus::Gone);
-    EXPECT_EQ(server->write("OK\r\n"), 0U); // and no SIGPIPE
+    EXPECT_EQ(server->write("OK\r\n"), 0U); // SIGPIPE is not raised
 }
 
 TEST_F(Socket, AClientThatDoesNotReadFillsUp)
@@ -86,7 +86,7 @@ TEST_F(Socket, ASocketThatWasLeftBehindIsReplaced)
     {
         auto killed = SocketListener::open(path);
         ASSERT_TRUE(killed);
-        fs::create_hard_link(path, folder / "kept"); // outlives the clean-up, as after a kill
+        fs::create_hard_link(path, folder / "kept"); // the socket stays, as after a kill
     }
     fs::rename(folder / "kept", path);
     EXPECT_FALSE(fs::exists(path + ".lock"));
@@ -119,7 +119,7 @@ TEST_F(Socket, TheSecondHearsWhoListens)
     EXPECT_TRUE(SocketListener::open(path));
 }
 
-/// A program that knows nothing of our locks.
+/// The other program does not use our locks.
 TEST_F(Socket, AStrangerThatListensIsNotReplaced)
 {
     const UniqueFd stranger(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
@@ -131,11 +131,11 @@ TEST_F(Socket, AStrangerThatListensIsNotReplaced)
     ASSERT_EQ(::listen(stranger.get(), 1), 0);
     const auto listener = SocketListener::open(path);
     ASSERT_FALSE(listener);
-    EXPECT_NE(listener.error().message.find("another process listens there"), std::string::npos);
+    EXPECT_NE(listener.error().message.find("another process listens on it"), std::string::npos);
     EXPECT_TRUE(SocketPort::connect(path));
 }
 
-/// Two starts at once, over a socket that was left behind: one of them listens, never both.
+/// Two services start at once and find an old socket. Exactly one of them listens.
 TEST_F(Socket, OfManyStartsAtOnceOneListens)
 {
     for (int round = 0; round < 20; ++round) {
@@ -170,7 +170,7 @@ TEST_F(Socket, OneThatWasReplacedIsNotRemovedByTheOldOne)
         first.emplace(std::move(*opened));
     }
     EXPECT_TRUE(first->in_place());
-    fs::rename(path, folder / "away"); // the number of the old one stays taken
+    fs::rename(path, folder / "away"); // the inode number of the old socket stays in use
     EXPECT_FALSE(first->in_place());
     test::write_text(path, "somebody else's");
     EXPECT_FALSE(first->in_place());
@@ -204,7 +204,7 @@ TEST_F(Socket, IsRemovedOnceByItsOwner)
         ASSERT_TRUE(listener);
         kept.emplace(std::move(*listener));
     }
-    EXPECT_TRUE(fs::exists(path)); // the one it was moved from does not remove it
+    EXPECT_TRUE(fs::exists(path)); // the moved-from listener does not remove it
     kept.reset();
     EXPECT_FALSE(fs::exists(path));
 }

@@ -132,7 +132,7 @@ TEST(WriteOutput, WhatTakesNothingIsRefusedAlsoBeforeTheWork)
     EXPECT_EQ(names_in(folder / ""), special.names());
 }
 
-/// As a shell gives it with >(...): the name leads to a pipe that is open already.
+/// A shell's >(...) gives such a name. It leads to a pipe that is already open.
 TEST(WriteOutput, ADescriptorIsWrittenWhereItStands)
 {
     Pipe pipe;
@@ -151,7 +151,7 @@ TEST(WriteOutput, ADescriptorIsWrittenWhereItStands)
         ASSERT_EQ(::write(log.get(), "after\n", 6), 6);
     }
     EXPECT_EQ(test::read_text(path), "before output after\nbefore output after\n");
-    fs::remove(path); // also when it has no name any more
+    fs::remove(path); // it also works when the file has no name
     ASSERT_TRUE(write(by_descriptor(log.get()), "x"));
     EXPECT_EQ(::lseek(log.get(), 0, SEEK_CUR), 41);
     EXPECT_EQ(names_in(folder / ""), Names{});
@@ -161,7 +161,7 @@ TEST(WriteOutput, ADescriptorIsWrittenWhereItStands)
     EXPECT_EQ(closed.error().number, EBADF);
 }
 
-/// Runs `body` with `fd` as standard output, in a process of its own.
+/// Runs `body` in a child process with `fd` as standard output.
 template <typename Body>
 int with_standard_output(int fd, Body body)
 {
@@ -262,7 +262,7 @@ TEST(ReadInput, ADeviceIsRead)
     EXPECT_EQ(endless.error().message, "/dev/zero has more than 10000 bytes");
 }
 
-/// The writer comes when it likes, stops in between, and its end is the end.
+/// The writer comes late and stops in between. The input ends when the writer closes the FIFO.
 TEST(ReadInput, AFifoIsReadToItsWritersEnd)
 {
     const test::TemporaryFolder folder;
@@ -272,7 +272,7 @@ TEST(ReadInput, AFifoIsReadToItsWritersEnd)
     ASSERT_TRUE(writing);
     for (int part = 0; part < 3; ++part) {
         ASSERT_EQ(::write(writing.get(), large.data(), 100'000), 100'000);
-        std::this_thread::yield(); // whatever the reader does meanwhile
+        std::this_thread::yield(); // lets the reader run
     }
     writing.reset();
     EXPECT_EQ(content.get().value(), large);
@@ -283,7 +283,7 @@ TEST(ReadInput, AWriterThatWritesNothingIsAnEmptyInput)
     const test::TemporaryFolder folder;
     const test::Fifo fifo(folder / "fifo");
     auto content = std::async(std::launch::async, [&] { return read_input(fifo.path, limit); });
-    ASSERT_TRUE(test::open_once_read(fifo.path)); // and closed again
+    ASSERT_TRUE(test::open_once_read(fifo.path)); // it is also closed again
     EXPECT_EQ(content.get().value(), "");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Every accelerator behind the register block: its words in, its finished picture out.
+/// Tests every accelerator in the register block: its words go in, its finished picture comes out.
 #include "emulation/emulated_block.hpp"
 
 #include "engine/draw.hpp"
@@ -35,7 +35,7 @@ namespace control = protocol::control;
 
 constexpr engine::PictureSize small_size = {24, 18};
 
-/// Keeps the newest frame and their number.
+/// Keeps the newest frame and the number of frames.
 class NewestPicture
 {
   public:
@@ -64,7 +64,7 @@ class NewestPicture
 class AllModels : public testing::TestWithParam<engine::Model>
 {
   protected:
-    /// The picture that the block shows at last, and the one that draw_still gives.
+    /// Compares the final picture of the block with that of draw_still().
     void expect_still(const protocol::State& state)
     {
         const engine::Model& model = GetParam();

@@ -20,7 +20,7 @@ namespace status = protocol::status;
 
 const protocol::Accelerator& accelerator = protocol::marcher::description;
 
-/// Holds what is written, says what the test wants it to say, and remembers the order of writes.
+/// A register bus that stores and records all writes; the test can also set its registers.
 class ScriptedBlock final : public drivers::RegisterBus
 {
   public:

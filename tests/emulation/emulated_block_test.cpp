@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Every wait is for the block's interrupt or its frame sink, never for a time.
+/// Every wait is for the block's interrupt or its frame sink, never for a fixed time.
 #include "emulation/emulated_block.hpp"
 
 #include "engine/draw.hpp"
@@ -33,7 +33,8 @@ drivers::RegOffset at(Register reg)
     return {static_cast<std::uint16_t>(reg)};
 }
 
-/// Takes frames, and can hold the worker inside one, so that a test sees the block while it draws.
+/// Receives frames. It can hold the worker in a frame, so that a test sees the block while it
+/// draws.
 class Screen
 {
   public:
@@ -46,7 +47,7 @@ class Screen
     }
     void hold() { set_held(true); }
     void let_go() { set_held(false); }
-    /// Waits until `count` frames have come; the last of them.
+    /// Waits until `count` frames have come. Returns the last one.
     std::vector<std::uint8_t> frame(std::size_t count)
     {
         std::unique_lock lock(mutex_);
@@ -90,7 +91,7 @@ class Block : public testing::Test
         for (std::uint16_t i = 0; i < model.description->word_count; ++i)
             block->write({static_cast<std::uint16_t>(4 * i)}, words[i]);
     }
-    /// Waits for the interrupt, takes it and withdraws the frame-done flag.
+    /// Waits for the interrupt, takes it and clears the frame-done flag.
     std::uint32_t take_interrupt()
     {
         EXPECT_TRUE(test::readable(block->interrupt_fd()));
@@ -136,7 +137,7 @@ TEST_F(Block, TellsWhatItIs)
     EXPECT_EQ(read(Register::Control), 0U);
     EXPECT_EQ(read(Register::Status), 0U);
     EXPECT_EQ(read(Register::Frames), 0U);
-    EXPECT_EQ(block->read({0x4C}), 0U);  // behind the last register
+    EXPECT_EQ(block->read({0x4C}), 0U);  // after the last register
     EXPECT_EQ(block->read({0xFFC}), 0U); // the page's end
     EXPECT_FALSE(block->lost());
 }
@@ -170,12 +171,13 @@ TEST_F(Block, DrawsWhatWasCommitted)
     open();
     write(Register::Control, in_shadow);
     write_words(default_words());
-    EXPECT_EQ(read(Register::Status), 0U); // shadowed: nothing waits
+    EXPECT_EQ(read(Register::Status), 0U); // in shadow mode no frame starts
     write(Register::Commit, 1);
     EXPECT_EQ(screen.frame(1), picture_of(default_words()).rgb);
     EXPECT_EQ(take_interrupt(), 1U);
     EXPECT_EQ(read(Register::Frames), 1U);
-    EXPECT_EQ(read(Register::Status), 0U); // neither busy nor pending, and done was withdrawn
+    EXPECT_EQ(read(Register::Status),
+              0U); // it is neither busy nor pending, and frame done was cleared
 }
 
 TEST_F(Block, CyclesAreThoseOfTheModel)
@@ -207,7 +209,7 @@ TEST_F(Block, ACommitWaitsForTheFrameThatIsBeingDrawn)
     screen.let_go();
 
     EXPECT_EQ(screen.frame(2), picture_of(cube_words()).rgb);
-    EXPECT_EQ(screen.frame(1), picture_of(default_words()).rgb); // not mixed
+    EXPECT_EQ(screen.frame(1), picture_of(default_words()).rgb); // old and new words are not mixed
 }
 
 TEST_F(Block, WhileDisabledNothingIsDrawn)
@@ -239,15 +241,15 @@ TEST_F(Block, AnInterruptComesOnceUntilItIsArmed)
     write(Register::Commit, 1);
     EXPECT_EQ(take_interrupt(), 1U);
     EXPECT_FALSE(test::readable(block->interrupt_fd(), 0));
-    EXPECT_FALSE(block->take_interrupt()); // nothing to take
+    EXPECT_FALSE(block->take_interrupt()); // there is no interrupt
 
-    write(Register::Commit, 1); // masked: drawn without an interrupt
+    write(Register::Commit, 1); // the interrupt is masked
     static_cast<void>(screen.frame(2));
     while (read(Register::Frames) < 2) // the sink is called just before the count
         std::this_thread::yield();
     EXPECT_FALSE(test::readable(block->interrupt_fd(), 0));
 
-    block->arm_interrupt(); // the line is level: frame done still stands
+    block->arm_interrupt(); // the line is level-triggered, and frame done is still set
     EXPECT_EQ(take_interrupt(), 2U);
 }
 
@@ -256,7 +258,7 @@ TEST_F(Block, ArmingWithoutAFrameDoneWaitsForTheNext)
     open();
     write(Register::Control, in_shadow);
     write(Register::Commit, 1);
-    static_cast<void>(take_interrupt()); // withdraws frame done
+    static_cast<void>(take_interrupt()); // this clears frame done
     block->arm_interrupt();
     EXPECT_FALSE(test::readable(block->interrupt_fd(), 0));
     write(Register::Commit, 1);
@@ -271,7 +273,8 @@ TEST_F(Block, WithoutInterruptEnableTheLineStaysDown)
     while ((read(Register::Status) & status::frame_done) == 0)
         std::this_thread::yield();
     EXPECT_FALSE(test::readable(block->interrupt_fd(), 0));
-    write(Register::Control, in_shadow); // level: it shows as soon as it is enabled
+    write(Register::Control,
+          in_shadow); // the line is level-triggered, so enabling it raises the interrupt
     EXPECT_EQ(take_interrupt(), 1U);
 }
 
@@ -283,7 +286,7 @@ TEST_F(Block, ASoftResetClearsWordsAndCounts)
     write(Register::Commit, 1);
     static_cast<void>(take_interrupt());
     write(Register::Control, control::soft_reset);
-    EXPECT_EQ(read(Register::Control), 0U); // clears itself
+    EXPECT_EQ(read(Register::Control), 0U); // soft reset clears itself
     EXPECT_EQ(read(Register::Status), 0U);
     EXPECT_EQ(read(Register::Frames), 0U);
     EXPECT_EQ(read(Register::Cycles), 0U);
@@ -310,7 +313,8 @@ TEST_F(Block, TheBareFormEndsUpWithTheLastWords)
     open(BlockForm::Bare);
     screen.hold();
     block->write({0x00}, default_words()[0]);
-    static_cast<void>(screen.frame(1)); // inside a frame: the next one sees all of what follows
+    static_cast<void>(
+        screen.frame(1)); // the worker is in a frame; the next frame has all later words
     write_words(cube_words());
     screen.let_go();
     EXPECT_EQ(screen.frame(2), picture_of(cube_words()).rgb);
@@ -349,7 +353,7 @@ TEST_F(Block, NewerWordsEndASlowFrame)
     write(Register::Commit, 1);
     engine::Image coarse(size);
     engine::spread(picture_of(default_words()), 8, coarse);
-    EXPECT_EQ(screen.frame(1), coarse.rgb); // and the worker is held there
+    EXPECT_EQ(screen.frame(1), coarse.rgb); // the worker is held there
     write_words(cube_words());
     write(Register::Commit, 1);
     screen.let_go();
@@ -357,7 +361,7 @@ TEST_F(Block, NewerWordsEndASlowFrame)
     EXPECT_EQ(screen.frame(2), coarse.rgb);
     EXPECT_EQ(screen.frame(5), picture_of(cube_words()).rgb);
     EXPECT_EQ(take_interrupt(), 1U);
-    EXPECT_EQ(read(Register::Frames), 1U); // the other was not drawn to its end
+    EXPECT_EQ(read(Register::Frames), 1U); // the other frame was not completed
     EXPECT_EQ(read(Register::Status), 0U);
 }
 
@@ -366,7 +370,7 @@ TEST_F(Block, EndsWhileItDraws)
     open();
     write(Register::Control, in_shadow);
     write(Register::Commit, 1);
-    block.reset(); // must not wait for anything but the frame
+    block.reset(); // it must wait only for the frame
 }
 
 } // namespace

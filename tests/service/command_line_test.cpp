@@ -44,12 +44,13 @@ TEST(CommandLine, AWrongWordGetsTheNearestOne)
     const std::vector<Refused> rows = {
         {{"frobnicate"},
          EX_USAGE,
-         "raymarchctl: 'frobnicate' is no subcommand; there are list, encode, "},
+         "raymarchctl: there is no subcommand 'frobnicate'; the subcommands are list, encode, "},
         {{"rendr"}, EX_USAGE, "; did you mean 'render'?\nRun raymarchctl --help for a list.\n"},
         {{"Status"}, EX_USAGE, "did you mean 'status'?"},
         {{"overlay", "laod"},
          EX_USAGE,
-         "raymarchctl overlay: 'laod' is no subcommand; there are load, unload, status; did you "
+         "raymarchctl overlay: there is no subcommand 'laod'; the subcommands are load, unload, "
+         "status; did you "
          "mean 'load'?\nRun raymarchctl overlay --help for a list.\n"},
         {{"render", "--prset", "x"},
          EX_USAGE,
@@ -88,7 +89,8 @@ TEST(CommandLine, AWrongNameGetsTheNearestOne)
     };
     const std::vector<Refused> rows = {
         {render({"--accelerator", "fractl"}), EX_USAGE,
-         "'fractl' is no accelerator; there are marcher, fractal, sphere, mandelbulb, whitted; did "
+         "there is no accelerator 'fractl'; the accelerators are marcher, fractal, sphere, "
+         "mandelbulb, whitted; did "
          "you mean 'fractal'?\n"},
         {render({"--preset", "latice"}), EX_USAGE, "; did you mean 'lattice'?\n"},
         {render({"--preset", "maze"}), EX_USAGE, "'maze' is a preset of fractal, not of marcher\n"},
@@ -99,7 +101,8 @@ TEST(CommandLine, AWrongNameGetsTheNearestOne)
         {{"zoom", "--preset", "hole"}, EX_USAGE, "; did you mean 'whole'?\n"},
         {{"zoom", "--set", "FROM=q8_64"}, EX_DATAERR, "; did you mean 'FORM'?\n"},
         {render({"--scene", "cubee"}), EX_USAGE,
-         "'cubee' is no scene; there are sphere, cube, infinite_cube, tunnel; did you mean "
+         "there is no scene 'cubee'; the scenes are sphere, cube, infinite_cube, tunnel; did you "
+         "mean "
          "'cube'?"},
         {render({"--accelerator", "fractal", "--scene", "menge"}), EX_USAGE, "mean 'menger'?"},
         {render({"--accelerator", "sphere", "--scene", "x"}), EX_USAGE, "sphere has no scenes\n"},
@@ -297,8 +300,9 @@ TEST_F(List, AnUnknownKindOrAcceleratorIsAnError)
 {
     const Finished kind = run_tool(folder, {"list", "preset"});
     EXPECT_EQ(kind.status, EX_USAGE);
-    EXPECT_EQ(kind.errors, "raymarchctl: 'preset' is no list; there are accelerators, presets, "
-                           "scenes, keys; did you mean 'presets'?\n");
+    EXPECT_EQ(kind.errors,
+              "raymarchctl: there is no list 'preset'; the lists are accelerators, presets, "
+              "scenes, keys; did you mean 'presets'?\n");
     const Finished accelerator = run_tool(folder, {"list", "keys", "--accelerator", "spere"});
     EXPECT_EQ(accelerator.status, EX_USAGE);
     EXPECT_TRUE(holds(accelerator.errors, "did you mean 'sphere'?"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// `raymarchctl console`: what is typed at a terminal or comes through a pipe goes out unchanged.
+/// Tests `raymarchctl console`: typed and piped lines are sent unchanged.
 #include "service/far_end.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ namespace
 
 constexpr const char* prompt = "raymarch> ";
 
-/// The console at a terminal of its own.
+/// Runs the console at its own terminal.
 class Terminal
 {
   public:
@@ -43,7 +43,7 @@ class Terminal
         ::ptsname_r(master_.get(), name.data(), name.size());
         held_ = UniqueFd(::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC));
         before_ = settings();
-        // A session of its own, whose terminal this is: its Ctrl-C is a signal.
+        // The terminal controls a new session, so Ctrl-C is a signal.
         std::vector<std::string> words = {RAYMARCHCTL, "console"};
 #ifdef RAYMARCH_EMULATOR
         const std::vector<std::string> emulator = {RAYMARCH_EMULATOR};
@@ -94,7 +94,7 @@ class Terminal
         ::kill(pid_, number);
     }
 
-    /// Waits until `text` has been shown behind what was waited for before.
+    /// Waits until `text` is shown after the last text that was waited for.
     [[nodiscard]] bool shows(std::string_view text)
     {
         const auto deadline = std::chrono::steady_clock::now() + patience;
@@ -108,7 +108,7 @@ class Terminal
         return false;
     }
 
-    /// The exit status, or 128 and the signal that ended it.
+    /// Returns the exit status, or 128 plus the signal that ended it.
     [[nodiscard]] int wait()
     {
         int raw = 0;
@@ -127,7 +127,7 @@ class Terminal
         return shown_;
     }
 
-    /// Whether the terminal is as it was before the console came.
+    /// Returns whether the terminal has its old settings.
     [[nodiscard]] bool restored() const
     {
         const termios now = settings();
@@ -185,7 +185,7 @@ class ConsoleAtATerminal : public testing::Test
 struct Typed
 {
     std::string_view line;
-    std::string_view reply; ///< its beginning
+    std::string_view reply; ///< the beginning of the reply
 };
 using namespace std::string_view_literals;
 constexpr std::array typed_rows = {
@@ -272,7 +272,7 @@ TEST_F(ConsoleAtATerminal, QuitAndExitEndIt)
 {
     for (const std::string word : {"quit", "exit", "QUIT", " Exit\t"}) {
         Terminal terminal(options(), environment());
-        ASSERT_TRUE(terminal.shows("quit, exit or Ctrl-D ends.")) << terminal.shown();
+        ASSERT_TRUE(terminal.shows("quit, exit or Ctrl-D ends the console.")) << terminal.shown();
         ASSERT_TRUE(terminal.shows(prompt));
         terminal.type(word + "\r");
         EXPECT_EQ(terminal.wait(), EX_OK) << word;
@@ -285,12 +285,12 @@ TEST_F(ConsoleAtATerminal, QuitAndExitEndIt)
 TEST_F(ConsoleAtATerminal, AQuestionMarkIsHelp)
 {
     Terminal terminal(options(), environment());
-    ASSERT_TRUE(terminal.shows("HELP or ? explains"));
+    ASSERT_TRUE(terminal.shows("HELP or ? shows the commands"));
     ASSERT_TRUE(terminal.shows(prompt));
     terminal.type("?\r");
     EXPECT_TRUE(terminal.shows("# A frame is KEY=VALUE")) << terminal.shown();
     EXPECT_TRUE(terminal.shows("# HELP with a command")) << terminal.shown();
-    // Other lines with these words are the service's.
+    // Longer lines with these words go to the service.
     for (const std::string line : {"quit now", "exits", "??", "? ZM", "exit=1"}) {
         ASSERT_TRUE(terminal.shows(prompt));
         terminal.type(line + "\r");
@@ -334,8 +334,8 @@ TEST(ConsoleOfAPipe, BlankLinesAndCommentsHaveNoReplyAndTheLastLineMayHaveNoEndi
     EXPECT_TRUE(longest.output.ends_with("\nOK\n")) << longest.output;
 }
 
-/// Also what is typed before the prompt, or while a reply is waited for; a terminal that hands on
-/// lines would hold 4095 bytes of one.
+/// This includes text that is typed before the prompt or before a reply. A terminal in line mode
+/// would cut a line after 4095 bytes.
 TEST_F(ConsoleAtATerminal, WhatIsTypedAheadIsNotLost)
 {
     Terminal terminal(options(), environment());
@@ -431,7 +431,7 @@ TEST_F(ConsoleAtATerminal, ALostServiceEndsItWithItsHistory)
 
 TEST_F(ConsoleAtATerminal, CtrlCEndsAWaitForAReply)
 {
-    // It answers the first contact and is silent from then on.
+    // It answers the first contact, and then is silent.
     std::atomic<bool> asked = false;
     const FarEnd line(folder, FarEnd::Place::Socket, [&](int fd) {
         Host host = Host::on_socket(service.control());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// raymarchctl as a process: what it prints, and how it ends.
+/// Tests the output and the exit status of raymarchctl.
 #include "service/support.hpp"
 
 #include <gtest/gtest.h>
@@ -112,7 +112,7 @@ TEST(Tool, RenderDrawsTheSamePictureInEveryWay)
                   .errors.find("; reference, 3 threads\n"),
               std::string::npos);
 
-    // The bytes of three columns and two rows behind a header of its own.
+    // The file has its own header and the bytes of three columns and two rows.
     const Finished tile = drawn({"--tile", "3x2+30+20"});
     const std::string header = "P6\n3 2\n255\n";
     ASSERT_EQ(tile.output.size(), header.size() + 18) << tile.errors;
@@ -150,7 +150,7 @@ TEST(Tool, RenderRefusesBeforeItDraws)
               EX_USAGE);
     const Finished isa = run_tool(folder, {"render", "--isa", "mmx", "-o", "-"});
     EXPECT_EQ(isa.status, EX_USAGE);
-    EXPECT_NE(isa.errors.find("'mmx' does not draw marcher on this machine; there are scalar"),
+    EXPECT_NE(isa.errors.find("'mmx' does not draw marcher on this machine; use one of scalar"),
               std::string::npos);
     const Finished bad = run_tool(folder, {"render", "--line", "FX=2", "-o", "-"});
     EXPECT_EQ(bad.status, EX_DATAERR);
@@ -158,7 +158,7 @@ TEST(Tool, RenderRefusesBeforeItDraws)
     EXPECT_EQ(run_tool(folder, {"render", "-o", folder / "no/such/folder.ppm"}).status, EX_IOERR);
 }
 
-/// The value of `key` in lines of keys and values.
+/// Returns the value of `key` in lines of keys and values.
 std::string value_of(const std::string& text, const std::string& key)
 {
     std::istringstream lines(text);
@@ -184,7 +184,8 @@ TEST(Tool, CyclesOfASceneAsTheHardwareTakes)
     EXPECT_EQ(value_of(slow.output, "fps"), "3.591");
 }
 
-/// The two halves of a checkerboard differ: the mean of a still's frames, or one frame.
+/// The two halves of a checkerboard differ, so the count is the mean of a still's frames or of one
+/// frame.
 TEST(Tool, CyclesOfACheckerboardAreAMean)
 {
     const TemporaryFolder folder;
@@ -206,7 +207,7 @@ TEST(Tool, CyclesOfACheckerboardAreAMean)
               std::to_string(sum / 2) + (sum % 2 == 0 ? "" : ".5"));
 }
 
-/// The machine draws a column and a row that its picture does not show (source 004, Fig. 12).
+/// The hardware draws one column and one row more than its picture shows (source 004, Fig. 12).
 TEST(Tool, CyclesCountRaysBeyondThePicture)
 {
     const TemporaryFolder folder;
@@ -260,7 +261,7 @@ TEST(Tool, CyclesRefusesWhatItCannotCount)
     EXPECT_EQ(status({"--set", "OBJ=nosuch"}), EX_DATAERR);
 }
 
-/// The frame scale follows the level, in the form that is set.
+/// The frame scale depends on the level and on FORM.
 TEST(Tool, ZoomPrintsTheFrameOfEachLevel)
 {
     const TemporaryFolder folder;
@@ -356,7 +357,7 @@ TEST(Tool, ConformanceOfABoardThatHasAnotherAccelerator)
     EXPECT_EQ(service.status("accelerator"), "mandelbulb");
 }
 
-/// Rows of tables that a frame leaves out are the defaults.
+/// Table rows that are not in a frame have their defaults.
 TEST(Tool, AFrameWithoutItsTablesIsTheDefaultScene)
 {
     const TemporaryFolder folder;
@@ -373,7 +374,7 @@ TEST(Tool, AFrameWithoutItsTablesIsTheDefaultScene)
     EXPECT_EQ(first.output, second.output);
 }
 
-/// A service that is set up differently is an implementation that differs: it is named, row by row.
+/// A service with other settings fails rows, and each failed row is named.
 TEST(Tool, ConformanceFindsADifference)
 {
     const TemporaryFolder folder;

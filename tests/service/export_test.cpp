@@ -142,7 +142,7 @@ TEST_F(Export, MissingRowsAreNamed)
     const Finished result = receive();
     EXPECT_EQ(result.status, EX_DATAERR);
     EXPECT_EQ(result.errors,
-              "raymarchctl: " + capture + ": missing of the picture: rows 3, 17-20\n");
+              "raymarchctl: " + capture + ": missing rows of the picture: 3, 17-20\n");
     EXPECT_FALSE(std::filesystem::exists(picture));
 
     EXPECT_EQ(receive({"--partial"}).status, EX_DATAERR);
@@ -193,7 +193,7 @@ TEST_F(Export, ACaptureThatCutItsFramesIsToBlame)
     const Finished result = receive();
     EXPECT_EQ(result.status, EX_DATAERR);
     EXPECT_NE(
-        result.errors.find("no row of a picture; damaged frames: 400, 400 of them because the "
+        result.errors.find("no row of a picture came; damaged frames: 400, 400 of them because the "
                            "capture kept only their beginning"),
         std::string::npos)
         << result.errors;
@@ -241,7 +241,7 @@ TEST_F(Export, OnlyWhatTheFormatHoldsIsExported)
         EXPECT_EQ(result.errors.substr(0, front.size()), front);
         return result.errors.substr(std::min(front.size(), result.errors.size()));
     };
-    const std::string allowed = "; what can be exported is 400x300 in 16 levels of grey, as the "
+    const std::string allowed = "; an export needs 400x300 pixels in 16 levels of grey, as the "
                                 "accelerator fractal draws with COLOUR=off\n";
     const std::string whole = as_ppm(some_picture());
     const std::size_t pixels = whole.size() - std::size_t{3} * 400 * 300;
@@ -252,7 +252,7 @@ TEST_F(Export, OnlyWhatTheFormatHoldsIsExported)
     EXPECT_EQ(why(coloured), "the pixel in column 21, row 7 is 17,34,17, not grey" + allowed);
     std::string between = whole;
     between.replace(pixel, 3, "\x12\x12\x12");
-    EXPECT_EQ(why(between), "the pixel in column 21, row 7 is 18, no multiple of 17" + allowed);
+    EXPECT_EQ(why(between), "the pixel in column 21, row 7 is 18, not a multiple of 17" + allowed);
     EXPECT_EQ(why("P5 1 1 255 x"), "the picture is 1x1" + allowed);
     EXPECT_EQ(why("nothing"), "is no binary PGM or PPM picture (P5, P6)\n");
 }
@@ -309,7 +309,7 @@ TEST_F(Export, EveryPresetCanBeChangedBySet)
                          std::string(accelerator->name), "--preset", std::string(preset.name),
                          "--set", some_setting(*accelerator), "--size", "40x30"});
             EXPECT_EQ(result.status, EX_DATAERR) << preset.name;
-            EXPECT_NE(result.errors.find("the picture is 40x30; what can be exported"),
+            EXPECT_NE(result.errors.find("the picture is 40x30; an export needs"),
                       std::string::npos)
                 << preset.name << result.errors;
         }
@@ -328,7 +328,7 @@ TEST_F(Export, AViewThatTheFormatDoesNotHold)
         EXPECT_FALSE(std::filesystem::exists(capture));
         return result.errors;
     };
-    const std::string allowed = "; what can be exported is 400x300 in 16 levels of grey, as the "
+    const std::string allowed = "; an export needs 400x300 pixels in 16 levels of grey, as the "
                                 "accelerator fractal draws with COLOUR=off\n";
     EXPECT_EQ(why({"--accelerator", "marcher", "--preset", "cube"}, EX_DATAERR),
               "raymarchctl: the picture is 640x480" + allowed);
@@ -336,7 +336,8 @@ TEST_F(Export, AViewThatTheFormatDoesNotHold)
     EXPECT_NE(coloured.find(", not grey" + allowed), std::string::npos) << coloured;
     EXPECT_EQ(why({"--preset", "lattice"}, EX_USAGE),
               "raymarchctl: 'lattice' is a preset of marcher, not of fractal\n");
-    EXPECT_NE(why({"--preset", "none"}, EX_USAGE).find("'none' is no preset; there are start"),
+    EXPECT_NE(why({"--preset", "none"}, EX_USAGE)
+                  .find("there is no preset 'none'; the presets are start"),
               std::string::npos);
     EXPECT_NE(why({"--set", "HUE=256"}, EX_DATAERR).find("key=HUE"), std::string::npos);
 }

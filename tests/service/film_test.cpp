@@ -295,14 +295,15 @@ TEST_F(Film, WrongCommandLines)
         names(why(ppm, {"--frames", "2", "--steps", "0"}), "--steps: Value 0 not in range"));
     EXPECT_TRUE(names(why(ppm, {"--frames", "2", "--fps", "0"}), "has 1 to 240"));
     EXPECT_TRUE(names(why(ppm, {"--frames", "2", "--size", "24"}), "'24' is not a size from 1x1"));
-    EXPECT_TRUE(names(why(ppm, {"--frames", "2", "--preset", "no"}), "'no' is no preset; there"));
+    EXPECT_TRUE(
+        names(why(ppm, {"--frames", "2", "--preset", "no"}), "there is no preset 'no'; the"));
     EXPECT_TRUE(names(why("f.avi", {"--frames", "2"}), "a film's name ends in .gif or .mp4"));
     EXPECT_TRUE(names(why("-", {"--frames", "2"}), "a film's name ends in .gif or .mp4"));
     EXPECT_TRUE(names(why("f.gif", {"--frames", "2", "--fps", "60"}), "a GIF has 1 to 50"));
     for (const std::string moves :
          {"", "sideways", "forward,", "turn-forward", "turn-", "animate 2"})
         EXPECT_TRUE(names(why(ppm, {"--frames", "2", "--move", moves}),
-                          "' is no movement; there are forward, back, left, right, up, down, "
+                          "'; the movements are forward, back, left, right, up, down, "
                           "turn-left, turn-right, turn-up, turn-down, turn-roll_left, "
                           "turn-roll_right, turn-wide, turn-narrow, animate\n"));
     EXPECT_EQ(film("nosuch", ppm).status, EX_USAGE);

@@ -93,7 +93,7 @@ TEST(TakenAway, WhatStandsInTheirPlaceStays)
             std::ofstream(place + ".theirs") << "precious";
             fs::rename(place + ".theirs", place);
         }
-        ASSERT_TRUE(service.says("is there and is no socket"));
+        ASSERT_TRUE(service.says("exists and is not a socket"));
         ASSERT_TRUE(service.says("no link to the pseudo-terminal"));
         EXPECT_TRUE(host.ask("STATUS").find(" serial=down ") != std::string::npos);
         EXPECT_EQ(terminal.ask("PING"), "OK");

@@ -200,8 +200,8 @@ TEST(ToolInStep, AServiceThatSendsErrorsOnlyIsCalledSo)
     const Finished taken = run_tool(folder, {"send", "--socket", service.control(), "SET ZM=2"});
     EXPECT_EQ(taken.status, EX_IOERR);
     EXPECT_EQ(taken.output, "");
-    EXPECT_NE(taken.errors.find("no reply to 'SET ZM=2' came in time; the far end sends ERR "
-                                "replies only"),
+    EXPECT_NE(taken.errors.find("no reply to 'SET ZM=2' came in time; the far end sends only ERR "
+                                "replies"),
               std::string::npos)
         << taken.errors;
     EXPECT_EQ(service.words().at(1), 0x02000000U);
@@ -291,7 +291,7 @@ TEST(ToolInStep, HalfAReplyAndThenTheEndIsNoReply)
     const Finished status = run_at(folder, line, {"status"});
     EXPECT_EQ(status.status, EX_IOERR);
     EXPECT_EQ(status.output, "");
-    EXPECT_NE(status.errors.find("closed the connection behind 'OK accelerator=mar'"),
+    EXPECT_NE(status.errors.find("closed the connection after 'OK accelerator=mar'"),
               std::string::npos)
         << status.errors;
 }

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Boots the virtual board and tries what TRIALS lists; ./dev board makes what it takes.
+"""Boots the virtual board and runs the trials in TRIALS; ./dev board makes the needed files.
 
-Ends with a table. --shell is for a person: the board with the package installed, its console here,
-and the logic played beside it."""
+It ends with a table. --shell opens the board's console instead, with the package installed and the
+logic emulated."""
 
 import argparse
 import re
@@ -19,7 +19,7 @@ from machine import Machine, Memory, shell
 from trials import SHORT, TRIALS, install, power_on
 
 HERE = Path(__file__).resolve().parent
-CARD_BYTES = 1 << 30  # QEMU's cards have a power of two
+CARD_BYTES = 1 << 30  # QEMU needs a power of two
 
 
 def register_address() -> int:
@@ -29,13 +29,13 @@ def register_address() -> int:
 
 
 def memory_folder() -> str | None:
-    """For the machine's memory, of which Linux there uses a quarter."""
+    """Returns the folder for the machine's memory. Its Linux uses a quarter of that."""
     shared = Path("/dev/shm")
     return str(shared) if shared.is_dir() and shutil.disk_usage(shared).free > CARD_BYTES else None
 
 
 def device_tree(kernel: Path, folder: Path) -> Path:
-    """The board's tree on top of the kernel's own for the processor."""
+    """Compiles the board's device tree, which includes the kernel's tree of the processor."""
     source = subprocess.run(["cpp", "-nostdinc", "-undef", "-x", "assembler-with-cpp",
                              "-I", kernel / "dts", HERE / "pynq-z1-virtual.dts"],
                             check=True, capture_output=True).stdout
@@ -45,7 +45,7 @@ def device_tree(kernel: Path, folder: Path) -> Path:
 
 
 def card(rootfs: Path, package: Path, folder: Path) -> Path:
-    """Debian's card with the package copied to it, without mounting anything."""
+    """Copies Debian's card and writes the package to it without a mount."""
     disk = folder / "card.ext4"
     subprocess.run(["cp", "--sparse=always", rootfs, disk], check=True)
     with disk.open("r+b") as file:
@@ -55,13 +55,13 @@ def card(rootfs: Path, package: Path, folder: Path) -> Path:
     return disk
 
 
-def is_afresh(board: Board) -> bool:
-    """Whether the next trial finds what a power-on leaves."""
+def restarts(board: Board) -> bool:
+    """Returns whether the board starts again for the next trial."""
     try:
-        board.afresh()
+        board.restart()
         return True
     except Exception as error:
-        print(f"   it does not come up again: {error}", flush=True)
+        print(f"   the board does not start again: {error}", flush=True)
         return False
 
 
@@ -72,12 +72,12 @@ def try_all(board: Board, names: list[str]) -> bool:
         begun = time.monotonic()
         try:
             result, note = "passed", TRIALS[name](board)
-        except Exception as error:  # whatever it is, the table comes
+        except Exception as error:  # the table is printed after any error
             result, note = "FAILED", f"{type(error).__name__}: {error}"
         rows.append((name, result, time.monotonic() - begun, note))
         print(f"   {result}, {rows[-1][2]:.1f} s: {note}", flush=True)
-        if result != "passed" and (TRIALS[name] in (install, power_on) or not is_afresh(board)):
-            break  # nothing runs that the others could try
+        if result != "passed" and (TRIALS[name] in (install, power_on) or not restarts(board)):
+            break  # the other trials need a running board
     width = max(map(len, names))
     print(f"\n{'trial':{width}}  result  seconds")
     for name, result, seconds, note in rows:
@@ -89,16 +89,16 @@ def try_all(board: Board, names: list[str]) -> bool:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--kernel", type=Path, required=True, help="what kernel.sh prints")
-    parser.add_argument("--rootfs", type=Path, required=True, help="what rootfs.sh prints")
-    parser.add_argument("--package", type=Path, required=True, help="the armhf package")
-    parser.add_argument("--programs", type=Path, required=True, help="the host's build folder")
-    parser.add_argument("--folder", type=Path, required=True, help="for card, logs and the picture")
-    parser.add_argument("--cuts", type=int, default=20, help="how often the power goes (default: 20)")
+    parser.add_argument("--kernel", type=Path, required=True, help="folder that kernel.sh prints")
+    parser.add_argument("--rootfs", type=Path, required=True, help="image that rootfs.sh prints")
+    parser.add_argument("--package", type=Path, required=True, help="armhf package")
+    parser.add_argument("--programs", type=Path, required=True, help="build folder of the host")
+    parser.add_argument("--folder", type=Path, required=True, help="folder for card, logs and the picture")
+    parser.add_argument("--cuts", type=int, default=20, help="number of power cuts (default: 20)")
     parser.add_argument("--only", action="append", choices=list(TRIALS), metavar="TRIAL",
-                        help="this trial, and the first two (repeatable)")
-    parser.add_argument("--short", action="store_true", help="the trials that one boot takes")
-    parser.add_argument("--shell", action="store_true", help="a console in place of the trials")
+                        help="run this trial and the first two (repeatable)")
+    parser.add_argument("--short", action="store_true", help="run only the trials that need one boot")
+    parser.add_argument("--shell", action="store_true", help="open a console in place of the trials")
     options = parser.parse_args()
 
     folder = options.folder.resolve()
@@ -116,8 +116,8 @@ def main() -> int:
                 install(board)
                 board.play()
                 machine.start()
-                machine.serial.close()  # QEMU's end takes one at a time
-                print(f"root's console; Ctrl-] ends. The second serial port: raymarchctl console --socket "
+                machine.serial.close()  # QEMU accepts one client at a time
+                print(f"This is root's console; Ctrl-] ends it. The second serial port: raymarchctl console --socket "
                       f"{folder / 'serial'}\nThe picture: {board.picture}", flush=True)
                 shell(machine)
                 return 0

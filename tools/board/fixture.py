@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What all trials share: the machine with its memory, the programs of the host, and how to wait."""
+"""The fixture of all trials: the machine with its memory, the programs of the host, and waiting."""
 
 import re
 import subprocess
@@ -9,13 +9,13 @@ from pathlib import Path
 
 from machine import PATIENCE_S, Failed, Machine, Memory, Player, check
 
-# Of the extended registers, docs/registers.md.
+# Word numbers of extended registers (docs/registers.md).
 ID_WORD, CAPABILITY_WORD, STATUS_WORD = 8, 10, 14
-BUSY = 1  # STATUS
+BUSY = 1  # a bit of STATUS
 
 
 def wait_until(condition: Callable[[], bool], what: Callable[[], str], pause_s: float = 0.05) -> None:
-    """Looks again and again. Raises Failed with what() when it does not come."""
+    """Polls the condition. Raises Failed with what() after the timeout."""
     end = time.monotonic() + PATIENCE_S
     while not condition():
         if time.monotonic() > end:
@@ -24,8 +24,6 @@ def wait_until(condition: Callable[[], bool], what: Callable[[], str], pause_s: 
 
 
 class Board:
-    """What the trials share: the machine, its memory, the programs of the host."""
-
     def __init__(self, machine: Machine, memory: Memory, package: Path, programs: Path, cuts: int):
         self.machine = machine
         self.memory = memory
@@ -54,16 +52,16 @@ class Board:
             self.player = None
 
     def play_again(self, *options: str) -> None:
-        """Other logic in the place of what was there. The service finds its words gone at the next update,
-        and writes them all at the one after it."""
+        """Replaces the logic. At the next update the service finds that its words are gone, and at the
+        one after it writes all words."""
         self.stop_playing()
         self.play(*options)
         wait_until(lambda: all(self.machine.ask(line).startswith("OK") for line in ("SET ZM=1", "RESET")),
                    lambda: f"STATUS: {self.status()}")
         self.wait_for_status("hardware", "ok")
 
-    def afresh(self) -> None:
-        """Whatever a trial that failed has left: the power goes, and everything is there again."""
+    def restart(self) -> None:
+        """Cuts the power and starts the board again, after a failed trial."""
         self.stop_playing()
         if self.machine.process:
             self.machine.cut()
@@ -83,13 +81,13 @@ class Board:
         wait_until(lambda: self.status().get(key) == value, lambda: f"{key}={value} did not come: {self.status()}")
 
     def present(self) -> dict[str, str]:
-        """The present state, by key."""
+        """Returns the present state, by key."""
         reply = self.machine.ask("GET")
         check(reply.startswith("OK "), f"GET: {reply}")
         return dict(pair.split("=", 1) for pair in reply.removeprefix("OK ").split(","))
 
     def interrupt(self) -> tuple[str, int]:
-        """The file that raises it, and how often it came. The service's GPIO lines have others."""
+        """Returns the file that raises the accelerator's interrupt, and how often it came."""
         number, count = self.machine.run("grep -w raymarch /proc/interrupts").split()[:2]
         return f"/sys/kernel/debug/irq/irqs/{number.rstrip(':')}", int(count)
 
@@ -97,7 +95,7 @@ class Board:
         return int(self.machine.run("systemctl show -p MainPID --value raymarchd"))
 
     def wait_for_restart(self, before: int) -> int:
-        """Until systemd says that another process is ready."""
+        """Waits until systemd says that another process is ready."""
         self.machine.run(
             f"until [ $(systemctl show -p MainPID --value raymarchd) != {before} ] && "
             "systemctl is-active -q raymarchd; do sleep 0.2; done")
@@ -105,7 +103,7 @@ class Board:
 
 
 def wait_for_words(board: Board, wanted: list[int]) -> None:
-    """They are there with the reply, but where a commit was pending."""
+    """Waits for the words. They may come after the reply if a commit was pending."""
     def words(values: list[int]) -> str:
         return " ".join(f"{value:08X}" for value in values)
 

@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Builds the virtual board's kernel from Debian's own source package, cross compiled: Debian's
-# prebuilt kernels have neither this processor nor its UIO driver nor simulated GPIO lines.
+# Cross-compiles the virtual board's kernel from Debian's source package, because Debian's prebuilt
+# kernels have neither this processor nor its UIO driver nor simulated GPIO lines.
 #
-#   kernel.sh CACHE [--cached]     prints the folder that holds zImage, its configuration, and dts/
+#   kernel.sh CACHE [--cached]     prints the folder with zImage, its configuration, and dts/
 #
-# With --cached it is not built: status 77 when it is not there, or could not be built.
-# The folder's name is made from the source's version and the configuration, so a change of
-# either builds anew and nothing else does.
+# With --cached nothing is built; the exit status is 77 if there is no kernel.
+# The folder's name contains the source's version and a hash of the configuration, so only a change of
+# these builds a new kernel.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 cache=$1
@@ -40,7 +40,7 @@ if [ ! -d "$kernel" ]; then
     $make -s allnoconfig >"$log" 2>&1 || give_up
     cat "$fragment" >>"$source/.config"
     $make -s olddefconfig >>"$log" 2>&1 || give_up
-    # What the fragment asks for and the kernel's own rules refuse is a mistake in the fragment.
+    # It is a mistake in the fragment if the kernel refuses one of its options.
     if grep '^CONFIG' "$fragment" | grep -vxFf "$source/.config" >"$work/refused"; then
         echo "kernel.sh: not taken into the configuration:" >&2
         cat "$work/refused" >&2

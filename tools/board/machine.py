@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The virtual board from outside: QEMU, its console, its second serial port, its memory.
+"""Controls the virtual board from outside: QEMU, its console, its second serial port, its memory.
 
-Everything waits for an event (a line, the end of a process), with a patience that only a machine
-that stands still exhausts."""
+All waits are for an event (a line, the end of a process). The timeout is so long that only a machine
+that hangs reaches it."""
 
 import itertools
 import mmap
@@ -23,7 +23,7 @@ PAGE_BYTES = 4096
 
 
 class Failed(Exception):
-    """What a trial found wrong."""
+    """A trial has failed."""
 
 
 def check(condition: bool, what: str) -> None:
@@ -32,7 +32,7 @@ def check(condition: bool, what: str) -> None:
 
 
 class Stream:
-    """A socket of QEMU's, read until something is there."""
+    """A socket of QEMU."""
 
     def __init__(self, path: Path):
         self._seen = b""
@@ -41,7 +41,7 @@ class Stream:
             try:
                 self._socket.connect(str(path))
                 return
-            except ConnectionRefusedError:  # it is bound, and listens in a moment
+            except ConnectionRefusedError:  # QEMU has bound it, but does not listen yet
                 self._socket.close()
                 check(patience > 0, f"{path}: nobody listens")
                 time.sleep(0.01)
@@ -59,7 +59,7 @@ class Stream:
         return self._socket.recv(65536)
 
     def until(self, pattern: bytes, patience_s: float = PATIENCE_S) -> re.Match[bytes]:
-        """Takes everything up to the first match away. Raises TimeoutError, and Failed at an end."""
+        """Takes all bytes up to the first match. Raises TimeoutError, or Failed if QEMU has ended."""
         end = time.monotonic() + patience_s
         while not (match := re.search(pattern, self._seen, re.DOTALL)):
             ready = select.select([self], [], [], max(0.0, end - time.monotonic()))[0]
@@ -73,7 +73,7 @@ class Stream:
         return match
 
     def forget(self) -> None:
-        """Drops what has come."""
+        """Drops all received bytes."""
         while select.select([self], [], [], 0)[0] and self.receive():
             pass
         self._seen = b""
@@ -84,7 +84,7 @@ class Machine:
 
     def __init__(self, kernel: Path, tree: Path, disk: Path, folder: Path):
         self.folder = folder
-        # With this program it ends, however that is ended.
+        # QEMU ends with this program, even after SIGKILL.
         self._command = [
             "setpriv", "--pdeathsig", "KILL", "qemu-system-arm", "-M", "xilinx-zynq-a9,memory-backend=ram", "-smp", "1",
             "-m", str(MEMORY_BYTES >> 20), "-object",
@@ -117,13 +117,13 @@ class Machine:
         self.serial = Stream(self.folder / "serial")
 
     def cut(self) -> None:
-        """The power goes, at once."""
+        """Cuts the power."""
         assert self.process
         self.process.kill()
         self._ended()
 
     def shut_down(self) -> None:
-        """As a person would; the machine ends at its own reset."""
+        """Shuts down the system; QEMU ends at the reset."""
         assert self.process
         self.console.send(b"systemctl reboot\n")
         self.process.wait(PATIENCE_S)
@@ -139,7 +139,7 @@ class Machine:
     # --- console ---
 
     def log_in(self) -> None:
-        """Root is logged in by itself; the shell is made quiet enough to be read by a program."""
+        """Waits for root's automatic login, and turns off the echo and the prompts of the shell."""
         self.console.until(rb"root@[^\n]*# ")
         self.console.send(b"exec sh\n")
         self.console.until(rb"\n# ")
@@ -147,7 +147,7 @@ class Machine:
         self.console.until(rb"quiet now\r?\n")
 
     def run(self, command: str, patience_s: float = PATIENCE_S) -> str:
-        """What the command prints. Raises Failed when its status is not 0."""
+        """Returns the output of the command. Raises Failed if its status is not 0."""
         status, text = self.try_run(command, patience_s)
         check(status == 0, f"on the board: {command}: status {status}: {text}")
         return text
@@ -163,14 +163,14 @@ class Machine:
     # --- the protocol, on the second serial port ---
 
     def ask(self, line: str, patience_s: float = PATIENCE_S) -> str:
-        """Sends a line; its reply."""
+        """Sends a line and returns its reply."""
         self.serial.forget()
         self.serial.send(line.encode() + b"\r\n")
         return self.serial.until(rb"((?:OK|ERR)[^\r\n]*)\r?\n", patience_s)[1].decode()
 
     def wait_for_service(self) -> float:
-        """Until a line is answered: seconds since the power-on. Before the service has the port, what
-        is sent there is lost, or cut."""
+        """Waits for the first reply. Returns the seconds since the power-on. Before the service opens the
+        port, lines are lost or cut."""
         end = time.monotonic() + PATIENCE_S
         while True:
             check(self.process is not None and self.process.poll() is None, "QEMU has ended")
@@ -181,7 +181,7 @@ class Machine:
             except TimeoutError:
                 continue
         took = time.monotonic() - self.started
-        # Replies come in order: behind this one there are none to lines from before.
+        # Replies come in order, so after this one all earlier replies have come.
         self.serial.send(b"STATUS\r\n")
         self.serial.until(rb"OK accelerator=[^\r\n]*\r?\n")
         return took
@@ -204,7 +204,7 @@ class Memory:
 
 
 class Player:
-    """board_player beside the machine; raises the interrupt through the console."""
+    """Runs board_player and raises the interrupt through the console."""
 
     def __init__(self, program: Path, memory: Memory, machine: Machine, *options: str):
         self._process = subprocess.Popen(
@@ -215,7 +215,7 @@ class Player:
         self._changed = threading.Condition()
         self.words: list[str] = []
         self.interrupts = 0
-        self._trigger = ""  # a file of the board's; empty: it is not told
+        self._trigger = ""  # a file on the board; if it is empty, no interrupt is raised
         line = self._process.stdout.readline()
         check(line == "ready\n", f"board_player says {line!r}")
         self._thread = threading.Thread(target=self._listen, daemon=True)
@@ -239,11 +239,11 @@ class Player:
             try:
                 self._machine.try_run(f"echo trigger > {self._trigger}")
             except (Failed, OSError, TimeoutError, ValueError):
-                self._trigger = ""  # the machine has gone
+                self._trigger = ""  # the machine has ended
 
     def raise_through(self, trigger: str) -> None:
-        """From now on by this file of the board's, or not at all. The line is level: what was raised
-        before is raised still."""
+        """Raises interrupts through this file on the board. The line is level-triggered, so an earlier
+        interrupt is raised, too."""
         self._trigger = trigger
         if self.interrupts:
             self._raise()
@@ -261,7 +261,7 @@ class Player:
 
 
 def shell(machine: Machine) -> None:
-    """A person at the console, until the machine ends or Ctrl-]."""
+    """Connects the terminal to the console until the machine ends or Ctrl-]."""
     import termios
     import tty
     before = termios.tcgetattr(sys.stdin)

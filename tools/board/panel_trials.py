@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Buttons, switches and LEDs, through the kernel's simulated lines and libgpiod."""
+"""Tests buttons, switches and LEDs through the kernel's simulated lines and libgpiod."""
 
 import math
 import re
@@ -9,7 +9,7 @@ from machine import check
 
 
 class Lines:
-    """The simulated chip's lines by name: pulled from outside, and looked at."""
+    """Sets and reads the simulated chip's lines by name."""
 
     def __init__(self, board: Board):
         self._machine = board.machine
@@ -22,7 +22,7 @@ class Lines:
         self._machine.run(f"echo pull-{'up' if level else 'down'} > {self.folder[name]}/pull")
 
     def press(self, name: str) -> None:
-        """Longer than it has to last."""
+        """Presses a button for longer than the debounce time."""
         self._machine.run(f"echo pull-up > {self.folder[name]}/pull; sleep 0.3; "
                           f"echo pull-down > {self.folder[name]}/pull")
 
@@ -30,60 +30,61 @@ class Lines:
         return self._machine.run(f"cat {self.folder[name]}/value") == "1"
 
     def wait(self, name: str, level: bool) -> None:
-        """On the board itself: what blinks may be over before an answer is here."""
+        """Waits on the board, because a blink may end before a reply comes here."""
         self._machine.run(self._until(name, level))
 
     def _until(self, name: str, level: bool) -> str:
-        """Of the shell alone: the start of a program takes longer than a blink."""
+        """Returns a command that only uses the shell, because starting a program takes longer than a blink."""
         return f"until read v < {self.folder[name]}/value && [ $v = {int(level)} ]; do :; done"
 
     def watch(self, name: str, mark: str) -> str:
-        """From now on; the returned command waits until the line was high."""
+        """Watches a line in the background. The returned command waits until the line was high."""
         self._machine.run(f"rm -f /run/{mark}; ({self._until(name, True)}; touch /run/{mark}) > /dev/null 2>&1 & true")
         return f"until [ -e /run/{mark} ]; do sleep 0.05; done"
 
 
 def heading(board: Board) -> float:
-    """The camera's, about the vertical axis, in degrees."""
+    """Returns the camera's angle about the vertical axis, in degrees."""
     state = board.present()
     return math.degrees(math.atan2(float(state["FX"]), float(state["FZ"])))
 
 
-def way(headings: list[float]) -> float:
-    """From the first to the last, through all between, which are less than half a turn apart."""
+def total_turn(headings: list[float]) -> float:
+    """Returns the whole turn in degrees. Neighbouring headings are less than 180 degrees apart."""
     return sum((after - before + 180) % 360 - 180 for before, after in zip(headings, headings[1:]))
 
 
 def turned(board: Board, lines: Lines, name: str) -> float:
-    """How far the camera turns from the defaults while the line is high; that it rests before and after."""
+    """Returns how far the camera turns from the defaults while the line is high. Checks that it rests before
+    and after."""
     board.machine.ask("RESET")
     board.wait_for_status("gpio", "up")
     seen = [heading(board), heading(board)]
     check(seen[0] == seen[1], "the camera turns by itself")
     lines.set(name, True)
 
-    def look() -> None:
+    def sample() -> None:
         seen.append(heading(board))
 
     def three_more() -> bool:
-        look()
+        sample()
         return len(set(seen)) > 3
     wait_until(three_more, lambda: f"{name}: headings {seen}")
     lines.set(name, False)
 
     def rests() -> bool:
-        look()
+        sample()
         return len(set(seen[-5:])) == 1
     wait_until(rests, lambda: f"{name} is let go: headings {seen}")
-    return way(seen)
+    return total_turn(seen)
 
 
 def turn_of(board: Board, side: str) -> float:
-    """What a step of the protocol's own does, from the defaults."""
+    """Returns how far one TURN of the protocol turns the camera from the defaults."""
     board.machine.ask("RESET")
     before = heading(board)
     check(board.machine.ask(f"TURN {side}").startswith("OK"), f"TURN {side}")
-    return way([before, heading(board)])
+    return total_turn([before, heading(board)])
 
 
 def buttons(board: Board) -> str:
@@ -133,7 +134,7 @@ def leds(board: Board) -> str:
     lines.wait("led2", True)
     check(machine.ask("SET ZM=7").startswith("OK"), "SET")
     lines.wait("led2", False)
-    # The logic by hand: it draws for as long as it is told to.
+    # The test itself sets the busy bit.
     board.stop_playing()
     board.memory.words[STATUS_WORD] |= BUSY
     lines.wait("led3", True)
@@ -146,7 +147,7 @@ def leds(board: Board) -> str:
 
 
 def taken(board: Board) -> str:
-    """Another program has a line when the service comes; then it lets go."""
+    """Another program has a line when the service starts, and releases it later."""
     machine = board.machine
     lines = Lines(board)
     machine.run("systemctl stop raymarchd")

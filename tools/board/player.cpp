@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// Plays the programmable logic of the virtual board: the emulated accelerator, shown in the file
-/// that is the machine's memory. Says on standard output what happens, a line each:
+/// Takes the place of the virtual board's programmable logic: shows the emulated accelerator in the
+/// file that is the machine's memory. It prints one line for each event:
 ///
-///     words WORD…     the parameter words, when some have changed
-///     interrupt N     the line has risen for the Nth time; whoever reads this has to raise it
+///     words WORD…     the parameter words have changed
+///     interrupt N     the reader must raise the interrupt for the Nth time
 ///
-/// Ends when its standard input does.
+/// It ends when its standard input ends.
 #include "drivers/atomic_file.hpp"
 #include "emulation/block_in_memory.hpp"
 #include "emulation/emulated_block.hpp"
@@ -30,13 +30,13 @@ namespace
 {
 
 constexpr std::size_t page_words = protocol::register_page_bytes / sizeof(std::uint32_t);
-/// Between two steps; a register access of the machine takes about as long.
+/// The pause between two steps; a register access of the machine takes about as long.
 constexpr std::chrono::milliseconds pause{1};
 
 struct Options
 {
     std::string memory;
-    std::uint64_t address = 0; ///< of the register page in the file
+    std::uint64_t address = 0; ///< the offset of the register page in the file
     std::string accelerator = "marcher";
     std::string picture;
     unsigned width = 160;
@@ -121,13 +121,14 @@ int play(const Options& options)
 int main(int argc, char** argv)
 {
     raymarch::Options options;
-    CLI::App app("board_player: plays the virtual board's programmable logic", "board_player");
-    app.add_option("--memory", options.memory, "the file that is the machine's memory")->required();
-    app.add_option("--address", options.address, "of the register page")->required();
-    app.add_option("--accelerator", options.accelerator, "which one to play");
-    app.add_option("--picture", options.picture, "PNG, replaced with each frame");
-    app.add_option("--width", options.width)->check(CLI::Range(1, 1920));
-    app.add_option("--height", options.height)->check(CLI::Range(1, 1080));
+    CLI::App app("board_player: emulates the virtual board's programmable logic", "board_player");
+    app.add_option("--memory", options.memory, "file that is the machine's memory")->required();
+    app.add_option("--address", options.address, "offset of the register page in that file")
+        ->required();
+    app.add_option("--accelerator", options.accelerator, "name of the emulated accelerator");
+    app.add_option("--picture", options.picture, "PNG file that each frame replaces");
+    app.add_option("--width", options.width, "width of the picture")->check(CLI::Range(1, 1920));
+    app.add_option("--height", options.height, "height of the picture")->check(CLI::Range(1, 1080));
     CLI11_PARSE(app, argc, argv);
     return raymarch::play(options);
 }

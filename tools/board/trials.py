@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What is tried on the virtual board: one function a row of the table, in the order of TRIALS.
+"""The trials on the virtual board. Each function is a row of the table TRIALS.
 
-Each takes the Board, raises Failed when something is wrong, and returns what the row says beside it."""
+A trial takes the Board, raises Failed if something is wrong, and returns the remark for its row."""
 
 import random
 import re
@@ -12,7 +12,7 @@ from fixture import CAPABILITY_WORD, ID_WORD, Board, wait_for_words, wait_until
 from machine import Failed, check
 
 PROTOCOL_ID = 0x524D4152
-STORM = 20  # interrupts that the service takes
+STORM = 20  # the number of interrupts that the service must take
 DRIVER = "/sys/bus/platform/drivers/uio_pdrv_genirq"
 
 FRAMES = [
@@ -25,7 +25,7 @@ FRAMES = [
 
 
 def install(board: Board) -> str:
-    """A fresh card: one package is copied to it and installed; the rest is a restart."""
+    """Installs the package on a new card. The service starts at the next boot."""
     machine = board.machine
     machine.start()
     machine.log_in()
@@ -33,7 +33,7 @@ def install(board: Board) -> str:
     check(machine.try_run("systemctl is-enabled raymarchd")[1] == "enabled", "the service is not enabled")
     check(machine.try_run("systemctl is-active raymarchd")[1] == "inactive", "the service was started")
     check(machine.run("stat -c %a:%U /usr/sbin/raymarchd") == "755:root", "raymarchd is not root's")
-    # The console stays a login here; the service has the other port.
+    # Here the console keeps its login, and the service uses the other port.
     machine.run("mkdir -p /etc/systemd/system/raymarchd.service.d && "
                 "ln -s /dev/null /etc/systemd/system/raymarchd.service.d/console.conf")
     machine.run("echo 'serial = \"/dev/ttyPS1@115200\"' >> /etc/raymarchd.toml && raymarchd --check-config")
@@ -48,7 +48,7 @@ def power_on(board: Board) -> str:
     took = board.machine.wait_for_service()
     board.machine.log_in()
     ready = int(board.machine.run("systemctl show -p ActiveEnterTimestampMonotonic --value raymarchd")) / 1e6
-    # The machine's clock does not run as the world's does.
+    # The machine's clock is slower or faster than real time.
     uptime, on = float(board.machine.run("cut -d' ' -f1 /proc/uptime")), time.monotonic() - board.machine.started
     status = board.status()
     check(status["gpio"] == "up", f"the lines: {status}")
@@ -67,7 +67,7 @@ def resident(board: Board) -> str:
 
 
 def overlay(board: Board) -> str:
-    """What the tool finds in a real kernel's tree, one that cannot load logic while it runs."""
+    """`overlay status` on a real kernel that cannot load logic while it runs."""
     rows = board.machine.run("raymarchctl overlay status")
     for wanted in (r"registers +/dev/uio\d+, 4096 bytes at 0x43C00000", r"clock +kept", r"missing +\S*/fpga_manager/",
                    r"missing +\S*/device-tree/overlays"):
@@ -95,7 +95,7 @@ def frames(board: Board) -> str:
 
 
 def show(board: Board, line: str) -> None:
-    """Until the picture is that of the line."""
+    """Sends a line and waits for its picture."""
     player = board.player
     assert player
     wanted = [f"{word:08X}" for word in board.words_of(line)]
@@ -109,11 +109,11 @@ def show(board: Board, line: str) -> None:
 
 
 def pictures(board: Board) -> str:
-    """From text on a UART to a picture, with a real kernel between."""
+    """Text on a UART becomes a picture, through a real kernel."""
     assert board.player
     trigger, before = board.interrupt()
     board.player.raise_through(trigger)
-    show(board, FRAMES[-1])  # whatever was there: from here on each frame is a new one
+    show(board, FRAMES[-1])  # so that each of the next frames is a new one
     drawn_before = int(board.status()["frames"])
     for line in FRAMES:
         show(board, line)
@@ -126,7 +126,7 @@ def pictures(board: Board) -> str:
 
 
 def mismatch(board: Board) -> str:
-    """The logic holds one bit against the service; it sees that by reading back."""
+    """One bit of the logic is stuck. The service detects it by its read-back."""
     errors = int(board.status()["readback_errors"])
     board.stop_playing()
     word = board.memory.words
@@ -160,8 +160,8 @@ def mismatch(board: Board) -> str:
 
 
 def storm(board: Board) -> str:
-    """The line is raised as fast as the board can. The service arms it only while a commit waits for its
-    turn: so the pictures are large, and frames come faster than they."""
+    """The interrupt is raised as fast as possible. The service arms it only while a commit is pending, so
+    the pictures are large, and frames come faster than pictures."""
     board.play_again("--width", "1280", "--height", "720")
     errors = board.status()["readback_errors"]
     trigger = board.interrupt()[0]
@@ -208,7 +208,7 @@ PROBES = {
     "memory to write and run": "perl -e 'exit(syscall(192, 0, 4096, 7, 34, -1, 0) == -1)'",
     "another personality": "perl -e 'exit(syscall(136, 8) == -1)'",
 }
-# Of root's group nothing is hidden.
+# Nothing is hidden from root's group.
 PROBES_OF_USER = {"another's process": "test -e /proc/1/status"}
 ALLOWED = {
     "the registers": "true <> /dev/raymarch",
@@ -220,14 +220,14 @@ ALLOWED_TO_LOAD = {
     "the firmware folder": "touch /lib/firmware/probe && rm /lib/firmware/probe",
     "configfs": "mkdir /sys/kernel/config/gpio-sim/probe && rmdir /sys/kernel/config/gpio-sim/probe",
     "udev's devices": "udevadm settle --timeout=60",
-    # The shell's status is 2 where it may not open the file; 1 is the driver's, which knows no such device.
+    # The shell's status is 2 if it may not open the file, and 1 if the driver knows no such device.
     "the driver's devices": f"echo none > {DRIVER}/unbind; [ $? -eq 1 ]",
 }
 
 
 def unit_of_probe(unit: str, user: str) -> str:
-    """A unit with a script in its place. As root, what refuses is the restrictions and not the rights of
-    a user. The service's folders stay the service's."""
+    """Makes a unit that runs a script with the restrictions of another unit. As root, a refusal comes from
+    the restrictions and not from permissions. The service's folders keep their owner."""
     drop = "WatchdogSec|Restart|RemainAfter|Condition|Exec|RuntimeDirectory"
     if user == "root":
         drop += "|User|Group|Supp|StateDir"
@@ -237,7 +237,7 @@ def unit_of_probe(unit: str, user: str) -> str:
 
 
 def sandbox(board: Board) -> str:
-    """The units' own restrictions, around a shell; each probe works outside of them."""
+    """Probes the restrictions of the units. Each probe works without them."""
     machine = board.machine
     for unit, user, allowed, table in (("raymarchd.service", "root", False, PROBES),
                                        ("raymarchd.service", "raymarchd", False, PROBES_OF_USER),
@@ -262,7 +262,7 @@ def kill(board: Board) -> str:
     board.machine.ask(FRAMES[1])
     check(board.machine.ask("SAVE").startswith("OK"), "SAVE")
     board.stop_playing()
-    board.play()  # with the words of its start: what is there afterwards has been written anew
+    board.play()  # with its initial words, so that the service must write the words again
     check(list(board.memory.words[:8]) != board.words_of(FRAMES[1]), "the words are there already")
     board.machine.run(f"kill -9 {before}")
     board.wait_for_restart(before)
@@ -286,25 +286,25 @@ def watchdog(board: Board) -> str:
 def hang_up(board: Board) -> str:
     machine = board.machine
     zoom = board.present()["ZM"]
-    machine.serial.send(b"SET ZM=")  # half a line, and the port is gone
+    machine.serial.send(b"SET ZM=")  # half a line before the hang-up
     machine.run("perl -e 'open(F, \"+<\", \"/dev/ttyPS1\") and ioctl(F, 0x5437, 0) or exit 1'")  # TIOCVHANGUP
     machine.run("until journalctl -u raymarchd -n 20 --no-pager | grep -q 'serial port has gone'; do sleep 0.2; done")
     machine.run("until raymarchctl status | grep -q 'serial *up'; do sleep 0.2; done")
     machine.serial.forget()
-    reply = machine.ask("9.5")  # its other half
+    reply = machine.ask("9.5")  # the other half
     check(reply.startswith("ERR"), f"two halves of a line were joined: {reply}")
     check(board.present()["ZM"] == zoom, "two halves of a line were joined")
     return "in the middle of a line, which is dropped; noticed, opened again, answered"
 
 
 def absent(board: Board) -> str:
-    """Boots without the accelerator; its driver comes, then its logic."""
+    """Boots without the accelerator. Its driver comes first, then its logic."""
     machine = board.machine
     machine.shut_down()
     board.stop_playing()
     board.memory.clear()
     board.memory.words[ID_WORD] = PROTOCOL_ID
-    board.memory.words[CAPABILITY_WORD] = 0xEE000000  # of a kind that nobody knows
+    board.memory.words[CAPABILITY_WORD] = 0xEE000000  # an unknown kind
     machine.start(arguments="")
     machine.wait_for_service()
     machine.log_in()
@@ -327,15 +327,15 @@ def absent(board: Board) -> str:
 
 
 def power_cuts(board: Board) -> str:
-    """The power goes in the middle of state writes; what was saved before is there afterwards, or what was
-    being saved."""
+    """The power is cut during writes of the state. Afterwards the last saved state is there, or the one
+    that was being saved."""
     machine = board.machine
     generator = random.Random(2)
     writes = within = 0
     check(machine.ask("SET ZM=0").startswith("OK") and machine.ask("SAVE").startswith("OK"), "SAVE")
     saved = 0
     for cut in range(board.cuts):
-        # Some time in the write after the first few, which take some tens of milliseconds each.
+        # The cut comes during the write after a few others. Each takes some ten milliseconds.
         number, delay = generator.randrange(1, 6), generator.uniform(0, 0.1)
         for _ in range(number):
             saved = (saved + 1) % 1000
@@ -369,7 +369,7 @@ def power_cuts(board: Board) -> str:
 
 
 def life(board: Board) -> str:
-    """The package on a running system: upgraded, removed, purged."""
+    """Upgrades, removes and purges the package on a running system."""
     machine = board.machine
     before = board.pid()
     machine.run("dpkg -i /root/raymarchd.deb")
@@ -388,7 +388,7 @@ def life(board: Board) -> str:
 
 
 def login(board: Board) -> str:
-    """On a board's console, as the package comes: there on the other port, which is the service's here."""
+    """Tests console.conf of the package, with the port that the service uses here."""
     machine = board.machine
     drop = "/etc/systemd/system/raymarchd.service.d/console.conf"
     machine.run(f"rm {drop} && sed s/ttyPS0/ttyPS1/ /lib/systemd/system/raymarchd.service.d/console.conf > {drop} && "
@@ -431,6 +431,6 @@ TRIALS = {
     "package upgraded, removed, purged": life,
 }
 
-# Those of one boot that need no patience.
+# The short trials of one boot.
 SHORT = ["resident memory", "overlay status", "frames become words", "words become pictures",
          *panel_trials.TRIALS, "kill -9"]

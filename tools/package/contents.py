@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Looks into Debian packages: what has to be there, owners and modes, stripped programs, nothing of the
-machine that made them, and that the board's package runs on the releases of releases.py.
+"""Checks Debian packages: required files, owners and modes, stripped programs, no paths of the build
+machine, and that the board's package runs on the releases of releases.py.
 
 Usage: contents.py [--made-in FOLDER]... [--board] PACKAGE.deb...
 
-No file may name a FOLDER: the sources', the build's, the sysroot's. --board holds the service's package of
-any architecture to what the board's is held to: it was made on the older of the machines that make it.
+No file may contain a FOLDER: that of the sources, the build or the sysroot. --board checks a package of any
+architecture like the board's package.
 """
 
 import argparse
@@ -22,7 +22,7 @@ from pathlib import Path
 
 from releases import depends_faults, newest, symbol_faults
 
-# Files; * is the architecture, as Debian names its folders.
+# The files of each package; * is the architecture in Debian's folder names.
 REQUIRED = {
     "raymarchd": [
         "etc/raymarchd.toml",
@@ -62,7 +62,7 @@ def field(package: Path, name: str) -> str:
 
 
 def entry_faults(entry: tarfile.TarInfo) -> list[str]:
-    """What is wrong with owner, kind and mode."""
+    """Returns the faults of owner, kind and mode."""
     path = entry.name.removeprefix("./")
     program = re.fullmatch(r"usr/s?bin/[^/]+", path) is not None
     wanted = 0o755 if entry.isdir() or program else 0o644
@@ -77,7 +77,7 @@ def entry_faults(entry: tarfile.TarInfo) -> list[str]:
 
 
 def content_faults(content: bytes, folders: list[str]) -> list[str]:
-    """What is wrong with the bytes of a file."""
+    """Returns the faults of a file's content."""
     faults = []
     if content.startswith(b"\x7fELF"):
         if b"not stripped" in output("file", "-b", "-", data=content):
@@ -88,7 +88,7 @@ def content_faults(content: bytes, folders: list[str]) -> list[str]:
 
 
 def versions_needed(program: bytes) -> list[str]:
-    """The versions of symbols that a program or a library needs of others, such as GLIBC_2.34."""
+    """Returns the symbol versions that a program needs from libraries, such as GLIBC_2.34."""
     with tempfile.NamedTemporaryFile() as file:
         file.write(program)
         file.flush()
@@ -121,7 +121,7 @@ def package_faults(package: Path, folders: list[str], board: bool) -> list[str]:
     allowed = REQUIRED[name] + MAY_BE_MORE.get(name, [])
     expected = {file for path in allowed for file in fnmatch.filter(files, path)}
     faults += [f"{file} is not expected" for file in files if file not in expected]
-    # Every release names these otherwise.
+    # These names differ between releases.
     faults += [f"depends on {library}" for library in re.findall(r"libfmt\d+", depends)]
     if name == "raymarchd-pictures":
         has_video = any(file.endswith("/libraymarch_video.so") for file in files)

@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The packages whose shared libraries armhf programs need, as dpkg-shlibdeps has them.
+# Finds the packages whose shared libraries armhf programs need, with dpkg-shlibdeps.
 #
-#   depends.sh SYSROOT PROGRAM...     prints a Depends line's worth
+#   depends.sh SYSROOT PROGRAM...     prints the value of a Depends line
 #
-# CPack's own way runs dpkg-shlibdeps on what is installed here, which is another architecture's. So
-# it is told where the packages lie that keep_shlibs.sh kept.
+# CPack would use the packages that are installed here, which have another architecture. So this script
+# uses the packages that keep_shlibs.sh kept.
 set -eu
 sysroot=$1
 shift
@@ -15,7 +15,7 @@ mkdir "$work/debian"
 printf 'Source: raymarchd\n\nPackage: raymarchd\nArchitecture: armhf\n' >"$work/debian/control"
 cd "$work"
 for kept in "$sysroot"/shlibs/*; do set -- "-S$kept" "$@"; done
-# It warns of run paths of the build folder, which installing takes away.
+# It warns of run paths in the build folder, which the installation removes.
 DEB_HOST_ARCH=armhf dpkg-shlibdeps -O "$@" >found 2>said || {
     cat said >&2
     exit 1

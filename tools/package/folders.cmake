@@ -1,4 +1,4 @@
-# CPack runs this on what it has installed, before it packs it: folders are as Debian wants them,
-# whatever the umask is here.
+# CPack runs this file on the installed files before it packs them. It gives folders the modes that
+# Debian requires, whatever the umask is.
 file(CHMOD_RECURSE ${CPACK_TEMPORARY_INSTALL_DIRECTORY} DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""What both releases have that the board's package runs on: Ubuntu 22.04 (jammy), which PYNQ's image is
-made of, and Debian 12 (bookworm). The versions are those of the day of the release; later ones are newer.
+"""The packages and symbols of the two releases that the board's package must run on: Ubuntu 22.04 (jammy),
+which PYNQ's image uses, and Debian 12 (bookworm). The versions are those of the day of the release.
 """
 
 import re
 import subprocess
 
-# package: its version in jammy, its version in bookworm; both have them for armhf
+# Each package has its version in jammy and in bookworm, for armhf.
 PACKAGES = {
     "libc6": ("2.35-0ubuntu3", "2.36-9"),
     "libedit2": ("3.1-20210910-1build1", "3.1-20221030-2"),
@@ -19,7 +19,7 @@ PACKAGES = {
     "udev": ("249.11-0ubuntu3", "252.6-1"),
 }
 
-# The newest version of symbols in each library, by the older of the two releases.
+# The newest symbol version of each library in the older release.
 SYMBOLS = {
     "GLIBC": (2, 35),
     "GLIBCXX": (3, 4, 30),
@@ -36,7 +36,7 @@ def is_at_least(version: str, wanted: str) -> bool:
 
 
 def depends_faults(depends: str) -> list[str]:
-    """What is wrong with a Depends line: a package, or a version of it, that one of the two lacks."""
+    """Returns the packages of a Depends line, or their versions, that one of the releases lacks."""
     faults = []
     for clause in filter(None, (part.strip() for part in depends.split(","))):
         form = re.fullmatch(r"([a-z0-9][a-z0-9+.-]+)(?: \(>= (\S+)\))?", clause)
@@ -52,7 +52,7 @@ def depends_faults(depends: str) -> list[str]:
 
 
 def symbol_faults(needed: list[str]) -> list[str]:
-    """What is wrong with the versions of symbols that a program needs, such as GLIBC_2.34."""
+    """Returns the needed symbol versions that the older release lacks."""
     faults = []
     for version in sorted(set(needed)):
         library, _, number = version.rpartition("_")
@@ -65,7 +65,7 @@ def symbol_faults(needed: list[str]) -> list[str]:
 
 
 def newest(needed: list[str]) -> str:
-    """The newest of each library, for people."""
+    """Returns the newest symbol version of each library, for the output."""
     best: dict[str, tuple[int, ...]] = {}
     for version in needed:
         library, _, number = version.rpartition("_")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Draws deep views of the Mandelbulb by several arithmetics, one row a zoom level and one column
-/// an arithmetic (source 003, Fig. 9 and 10).
+/// Draws deep views of the Mandelbulb with several arithmetics. The sheet has one row for each zoom
+/// level and one column for each arithmetic (source 003, Fig. 9 and 10).
 #include "command_line/command_line.hpp"
 #include "drivers/user_file.hpp"
 #include "engine/draw.hpp"
@@ -50,7 +50,7 @@ void draw_row_in(engine::WordSpan words, engine::RowOf row, std::span<std::uint8
     draw_reference_row<Real>(mandelbulb::latch(words), row, pixels, costs, ThetaBy::Acos);
 }
 
-/// One column of the sheet: an arithmetic. `settings` are changes in the syntax of SET.
+/// One column of the sheet. `settings` are changes in the syntax of SET.
 struct Column
 {
     std::string_view name;
@@ -62,7 +62,7 @@ constexpr engine::Model in_floating_point()
 {
     engine::Model model = engine::model_of(table::description);
     model.draw_row = draw_row_in<Real>;
-    model.kernels = nullptr; // they are those of the exact model
+    model.kernels = nullptr; // the kernels belong to the exact model
     return model;
 }
 constexpr engine::Model exact = engine::model_of(table::description);
@@ -74,13 +74,13 @@ constexpr std::array columns = {
     Column{"N=64", "N=64,FORM=q8_64", exact},
 };
 
-/// `state` after changes in the syntax of SET.
+/// Returns `state` after changes in the syntax of SET.
 protocol::State changed(protocol::State state, std::string_view settings)
 {
     protocol::ParameterSet given;
     [[maybe_unused]] const auto fault =
         protocol::read_assignments(table::description, {.bytes = settings}, state, given);
-    assert(settings.empty() || !fault); // the settings stand in this file and in the presets
+    assert(settings.empty() || !fault); // all settings come from this file and the presets
     return state;
 }
 
@@ -89,8 +89,8 @@ Result<protocol::State> state_of_preset(std::string_view name)
     for (const protocol::Preset& preset : table::description.presets)
         if (preset.name == name)
             return changed(protocol::initial_state(table::description), preset.settings);
-    return fail(plain_error(ErrorKind::Usage,
-                            fmt::format("'{}' is no preset of {}", name, table::description.name)));
+    return fail(plain_error(ErrorKind::Usage, fmt::format("'{}' is not a preset of {}", name,
+                                                          table::description.name)));
 }
 
 engine::Image draw_column(const Column& column, const protocol::State& near,
@@ -115,7 +115,7 @@ Result<void> compare(const CompareOptions& options)
         return possible;
     const auto size = protocol::parse_size(options.size, table::description.max_size);
     if (!size)
-        return fail(plain_error(ErrorKind::Usage, fmt::format("'{}' is no size", options.size)));
+        return fail(plain_error(ErrorKind::Usage, fmt::format("'{}' is not a size", options.size)));
     const auto from = state_of_preset(options.preset);
     if (!from)
         return fail(from.error());
@@ -140,7 +140,7 @@ Result<void> compare(const CompareOptions& options)
 void add_options(CLI::App& app, CompareOptions& options)
 {
     const protocol::PictureSize size = table::description.size;
-    app.add_option("--preset", options.preset, "name of the preset whose pixel is approached")
+    app.add_option("--preset", options.preset, "name of the preset that is zoomed into")
         ->type_name("NAME")
         ->capture_default_str();
     app.add_option("--pixel", options.pixel,
@@ -151,7 +151,7 @@ void add_options(CLI::App& app, CompareOptions& options)
         ->delimiter(',')
         ->expected(2);
     app.add_option("--levels", options.levels,
-                   fmt::format("zoom levels, as of raymarchctl zoom (default: {})",
+                   fmt::format("zoom levels, as for raymarchctl zoom (default: {})",
                                fmt::join(options.levels, ",")))
         ->type_name("Z,...")
         ->delimiter(',')

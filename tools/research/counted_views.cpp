@@ -20,7 +20,7 @@ protocol::Words words_with(const Accelerator& accelerator,
         protocol::ParameterSet given;
         [[maybe_unused]] const auto fault =
             protocol::read_assignments(accelerator, {.bytes = text}, state, given);
-        assert(text.empty() || !fault); // the texts stand in this folder and in the presets
+        assert(text.empty() || !fault); // all texts come from this folder and the presets
     }
     return protocol::pack(accelerator, state);
 }

@@ -21,21 +21,20 @@ using cli::Mean;
 using protocol::Accelerator;
 using protocol::PictureSize;
 
-/// The words of the defaults after these changes, one after the other; each is in the syntax of
-/// SET.
+/// Returns the words of the defaults after these changes in order; each is in the syntax of SET.
 [[nodiscard]] protocol::Words words_with(const Accelerator& accelerator,
                                          std::initializer_list<std::string_view> changes);
 
-/// The settings of a preset that exists.
+/// Returns the settings of an existing preset.
 [[nodiscard]] std::string_view settings_of(const Accelerator& accelerator, std::string_view preset);
 
-/// The frames of a still, drawn with so many threads.
+/// Draws the frames of a still.
 [[nodiscard]] CountedView drawn(const Accelerator& accelerator, const protocol::Words& words,
                                 PictureSize size, unsigned threads);
 
 [[nodiscard]] double pixels_of(PictureSize size);
 
-/// The head of a Markdown table whose columns are divided by `|`.
+/// Makes the head of a Markdown table; `|` separates its columns.
 [[nodiscard]] std::string head(std::string_view columns);
 
 } // namespace raymarch::tools

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Prints the tables of docs/cycles.md: the speeds that the sources print, beside those of the
-/// models.
+/// Prints the tables of docs/cycles.md, which compare the sources' speeds with those of the models.
 #include "tools/research/cycle_tables.hpp"
 
 #include "command_line/command_line.hpp"
@@ -34,6 +33,6 @@ int main(int argc, char** argv)
             fmt::print("{}", row.make(threads));
         }
     if (!found)
-        fmt::print(stderr, "cycle_tables: '{}' is no accelerator\n", name);
+        fmt::print(stderr, "cycle_tables: there is no accelerator '{}'\n", name);
     return found ? 0 : EX_USAGE;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The speeds that the sources print, beside those of the models: Markdown for docs/cycles.md.
+/// Compares the speeds that the sources print with those of the models, as Markdown for
+/// docs/cycles.md.
 #pragma once
 
 #include "protocol/accelerators.hpp"
@@ -11,7 +12,7 @@
 namespace raymarch::tools
 {
 
-// Each draws what its table speaks of, with so many threads; 0 is one for each processor.
+// Each function draws the views of its table; 0 threads means one for each processor.
 [[nodiscard]] std::string marcher_tables(unsigned threads);
 [[nodiscard]] std::string fractal_tables(unsigned threads);
 [[nodiscard]] std::string sphere_tables(unsigned threads);
@@ -24,7 +25,7 @@ struct CycleTables
     std::string (*make)(unsigned threads);
 };
 
-/// One row an accelerator.
+/// Each accelerator has one row.
 inline constexpr std::array cycle_tables = {
     CycleTables{&protocol::marcher::description, marcher_tables},
     CycleTables{&protocol::fractal::description, fractal_tables},

@@ -31,8 +31,8 @@ std::string slashed(const std::array<unsigned, source::fractal_units.size()>& sp
     return fmt::format("{} / {} / {}", speeds[0], speeds[1], speeds[2]);
 }
 
-/// Frames a second where every ray takes `queries`, on average over where the index stands when a
-/// unit becomes idle: a clock divisible by the steps that both take in common.
+/// Returns the frames a second if every ray takes `queries`. It is the mean over all positions of
+/// the index at which a unit becomes idle.
 FractalSpeeds speeds_at(double queries, unsigned latency, bool checker)
 {
     constexpr double overhead = 20;
@@ -48,8 +48,8 @@ FractalSpeeds speeds_at(double queries, unsigned latency, bool checker)
     return speeds;
 }
 
-/// The queries a ray that explain a row of the source best: the least sum of squared relative
-/// misses. A figure above the one of more units is left out.
+/// Fits the queries of a ray to a row of the source, by the least sum of squared relative errors. A
+/// figure above that of more units is not used.
 double fitted_queries(const source::FractalFigure& row, unsigned latency)
 {
     constexpr double step = 0.05;

@@ -17,7 +17,7 @@ using namespace engine::mandelbulb;
 template <typename Real>
 using Vector = engine::Vec3<Real>;
 
-/// Every quotient is computed in Real: a camera between its numbers moves to one of them.
+/// Every quotient is computed in Real, so the camera is rounded to a number of Real.
 template <typename Real, typename Integer>
 Vector<Real> to_real(const engine::Vec3<Integer>& v, int fraction_bits) noexcept
 {
@@ -72,7 +72,7 @@ template <typename Real>
 RealEstimate<Real> estimate_real(const Vector<Real>& c, const Arithmetic& with,
                                  ThetaBy theta_by) noexcept
 {
-    // The hardware's radius, a multiple of 1/16.
+    // The hardware's radius is a multiple of 1/16.
     const Real escape = static_cast<Real>(escape_radius<Q57<Int128>>(with.power) >> 53) / 16;
     const auto d = static_cast<Real>(with.power);
     Vector<Real> w = c;
@@ -151,7 +151,7 @@ void draw_reference_row(const Frame& frame, engine::RowOf row, std::span<std::ui
     }
 }
 
-// One instance a real type: what the header promises.
+// The header declares these three instances.
 // clang-format off
 template ReferenceRay<float> march_reference(const Frame&, engine::PictureSize, std::uint16_t, std::uint16_t, ThetaBy) noexcept;
 template ReferenceRay<double> march_reference(const Frame&, engine::PictureSize, std::uint16_t, std::uint16_t, ThetaBy) noexcept;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The Mandelbulb as a program for a graphics card computes it (source 003, §V.A, Fig. 9): in
-/// floating point. What the fixed-point pictures of the same view are compared with.
+/// Draws the Mandelbulb in floating point, like a program for a graphics card (source 003, §V.A,
+/// Fig. 9), for a comparison with the fixed-point pictures.
 #pragma once
 
 #include "engine/mandelbulb/frame.hpp"
@@ -14,8 +14,8 @@
 namespace raymarch::tools
 {
 
-/// How the angle from the z axis is found: as shaders do, acos(z/r), or with atan2, which keeps
-/// about one bit more.
+/// The formula for the angle from the z axis: acos(z/r), as in shaders, or atan2, which is about
+/// one bit more accurate.
 enum class ThetaBy : std::uint8_t { Acos, Atan2 };
 
 template <typename Real>
@@ -23,18 +23,18 @@ struct ReferenceRay
 {
     engine::mandelbulb::Outcome outcome = engine::mandelbulb::Outcome::Limit;
     int evaluations = 0;
-    int index = 0; ///< of the last evaluation
-    Real t = 0;    ///< the way gone
+    int index = 0; ///< the index of the last evaluation
+    Real t = 0;    ///< the distance along the ray
 };
 
-/// The ray of pixel (x, y): camera, power, iterations and limits of the frame, Real's arithmetic.
-/// Real is float, double or long double.
+/// Marches the ray of pixel (x, y) with the parameters of the frame and the arithmetic of Real,
+/// which is float, double or long double.
 template <typename Real>
 [[nodiscard]] ReferenceRay<Real> march_reference(const engine::mandelbulb::Frame& frame,
                                                  engine::PictureSize size, std::uint16_t x,
                                                  std::uint16_t y, ThetaBy theta) noexcept;
 
-/// As engine::mandelbulb::draw_row, with its colours.
+/// Draws a row with the colours of engine::mandelbulb::draw_row.
 template <typename Real>
 void draw_reference_row(const engine::mandelbulb::Frame& frame, engine::RowOf row,
                         std::span<std::uint8_t> pixels, std::span<engine::PixelCost> costs,

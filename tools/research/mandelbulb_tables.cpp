@@ -23,7 +23,7 @@ struct MandelbulbView
 {
     std::string_view preset;
     PictureSize measured;
-    PictureSize drawn; ///< the board's
+    PictureSize drawn; ///< the size on the board
 };
 constexpr std::array mandelbulb_views = {
     MandelbulbView{"front", {160, 90}, {1280, 720}},
@@ -35,7 +35,7 @@ constexpr std::array mandelbulb_views = {
     MandelbulbView{"small_board_zoom", {160, 120}, {640, 480}},
 };
 
-/// Clocks of a frame of so many evaluations in all.
+/// Returns the clocks of a frame with that number of evaluations.
 std::uint64_t mandelbulb_cycles(const protocol::Words& words, PictureSize size, double evaluations)
 {
     const Accelerator& accelerator = protocol::mandelbulb::description;

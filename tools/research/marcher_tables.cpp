@@ -21,7 +21,7 @@ std::string marcher_tables(unsigned threads)
     std::string text = fmt::format("\nViews, {}x{} at {} MHz:\n\n", size.width, size.height,
                                    accelerator.clock_hz / 1'000'000);
     text += head("preset | clocks a query | queries a ray | fps, 1 unit | fps, 4 units");
-    double sphere_queries = 0; // of the first row
+    double sphere_queries = 0; // the queries of the first row
     unsigned sphere_clocks = 1;
     for (const std::string_view preset :
          {"", "sphere", "cube", "lattice", "lattice_diagonal", "tunnel", "tunnel_turn"}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// TABLE: the speeds that the sources print. What stands beside them comes from the models.
+/// TABLE: the speeds that the sources print.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 namespace raymarch::tools::source
 {
 
-// Laid out by hand: one row a line of the source.
+// The tables are formatted by hand: one row for each line of the source.
 // clang-format off
 
 /// Source 000, Table 9: a sphere at 640x480, at 100 MHz.
@@ -42,7 +42,7 @@ inline constexpr std::array fractal_figures = {
 };
 
 /// Source 002, sections "RTCore Setup", "Ray-Sphere Intersection", "Division". `clocks` are those of a pixel
-/// that it names itself; 0: it names none.
+/// in the source, or 0 if it has none.
 struct SphereFigure
 {
     std::string_view claim;
@@ -74,10 +74,10 @@ inline constexpr std::array mandelbulb_figures = {
     MandelbulbFigure{"Nexys 4 DDR", "peak power",  640, 480, 1.8},
 };
 
-/// Source 004, Fig. 12: 25 MHz, 512x480 but for the last.
+/// Source 004, Fig. 12: 25 MHz, 512x480 except the last row.
 struct WhittedFigure
 {
-    std::string_view preset; ///< ours with the same scene
+    std::string_view preset; ///< our preset with the same scene
     std::string_view planes;
     std::string_view anti_aliasing;
     unsigned reflections;

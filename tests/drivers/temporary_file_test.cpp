@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/unfinished_file.hpp"
+#include "base/temporary_file.hpp"
 
 #include "drivers/atomic_file.hpp"
 #include "tests/fakes/temporary_folder.hpp"
@@ -21,26 +21,27 @@ namespace fs = std::filesystem;
 using test::names_in;
 using Names = std::vector<std::string>;
 
-TEST(UnfinishedFile, WhatComesInItsWayMeanwhileStays)
+TEST(TemporaryFile, WhatComesInItsWayMeanwhileStays)
 {
     const test::TemporaryFolder folder;
-    auto file = UnfinishedFile::open(folder / "film");
+    auto file = TemporaryFile::open(folder / "film");
     ASSERT_TRUE(file && file->write(as_bytes("frames")));
     ASSERT_EQ(::mkfifo((folder / "film").c_str(), 0600), 0);
-    const auto finished = file->finish();
+    const auto finished = file->commit();
     ASSERT_FALSE(finished);
     EXPECT_EQ(finished.error().message, folder / "film" + " is a FIFO, not a file");
     EXPECT_TRUE(fs::is_fifo(folder / "film"));
-    *file = *UnfinishedFile::open(folder / "other"); // what it held goes with the moved-from one
-    file = UnfinishedFile::open(folder / "missing/file");
+    *file = *TemporaryFile::open(
+        folder / "other"); // its temporary file is removed with the moved-from object
+    file = TemporaryFile::open(folder / "missing/file");
     EXPECT_EQ(names_in(folder / ""), Names{"film"});
 }
 
-TEST(UnfinishedFile, KeepsTheEndingOfItsName)
+TEST(TemporaryFile, KeepsTheEndingOfItsName)
 {
     const test::TemporaryFolder folder;
     for (const char* const name : {"film.mp4", "film.GIF", "a.b.png", "none"}) {
-        const auto file = UnfinishedFile::open(folder / name);
+        const auto file = TemporaryFile::open(folder / name);
         ASSERT_TRUE(file);
         EXPECT_EQ(fs::path(file->path()).extension(), fs::path(name).extension());
         EXPECT_EQ(fs::path(file->path()).parent_path(), fs::path(folder / name).parent_path());
