@@ -7,7 +7,7 @@
 #include "engine/fractal/fractal.hpp"
 #include "engine/mandelbulb/fast/kernels.hpp"
 #include "engine/mandelbulb/mandelbulb.hpp"
-#include "engine/marcher/fast/kernel.hpp"
+#include "engine/marcher/fast/kernels.hpp"
 #include "engine/marcher/marcher.hpp"
 #include "engine/model.hpp"
 #include "engine/sphere/fast/kernels.hpp"
@@ -26,24 +26,24 @@ inline constexpr std::array models = {
           .steps = "scene queries",
           .draw_row = marcher::draw_row,
           .frame_cycles = marcher::frame_cycles,
-          .kernels = marcher::kernels},
+          .kernels = marcher::fast::kernels},
     Model{.description = &protocol::fractal::description,
           .steps = "scene queries",
           .draw_row = fractal::draw_row,
           .frame_cycles = fractal::frame_cycles,
           .frames_of_a_still = fractal::frames_of_a_still,
-          .kernels = fractal::kernels},
+          .kernels = fractal::fast::kernels},
     Model{.description = &protocol::sphere::description,
           .steps = "clock edges (prototype: runs of the ray-sphere unit)",
           .draw_row = sphere::draw_row,
           .frame_cycles = sphere::frame_cycles,
           .finish = sphere::finish,
-          .kernels = sphere::kernels},
+          .kernels = sphere::fast::kernels},
     Model{.description = &protocol::mandelbulb::description,
           .steps = "evaluations of the distance",
           .draw_row = mandelbulb::draw_row,
           .frame_cycles = mandelbulb::frame_cycles,
-          .kernels = mandelbulb::kernels},
+          .kernels = mandelbulb::fast::kernels},
     Model{.description = &protocol::whitted::description,
           .steps = "clock cycles of the picture's pixels",
           .draw_row = whitted::draw_row,

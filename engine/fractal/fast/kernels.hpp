@@ -8,10 +8,10 @@
 
 #include <span>
 
-namespace raymarch::engine::fractal
+namespace raymarch::engine::fractal::fast
 {
 
 /// See Model.
 [[nodiscard]] std::span<const Kernel> kernels() noexcept;
 
-} // namespace raymarch::engine::fractal
+} // namespace raymarch::engine::fractal::fast

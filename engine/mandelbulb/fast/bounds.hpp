@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace raymarch::engine::mandelbulb
+namespace raymarch::engine::mandelbulb::fast
 {
 
 /// Bounds of errors; P = r^(d-1) and Q = r^d of the point in question.
@@ -56,4 +56,4 @@ struct Bounds
             .distance_unit = 2 * unit};
 }
 
-} // namespace raymarch::engine::mandelbulb
+} // namespace raymarch::engine::mandelbulb::fast

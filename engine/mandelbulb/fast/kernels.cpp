@@ -3,7 +3,7 @@
 // once for each instruction set.
 #include "engine/mandelbulb/fast/kernels.hpp"
 
-#include "engine/kernel_targets.hpp"
+#include "engine/fast/targets.hpp"
 #include "engine/mandelbulb/colouring.hpp"
 #include "engine/mandelbulb/mandelbulb.hpp"
 #include "engine/mandelbulb/ray_generator.hpp"
@@ -23,7 +23,7 @@
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::mandelbulb::HWY_NAMESPACE
+namespace raymarch::engine::mandelbulb::fast::HWY_NAMESPACE
 {
 
 /// Where the ends of rays go.
@@ -244,14 +244,14 @@ void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept
         draw_in<Q64<Int128>>(frame, region, canvas);
 }
 
-} // namespace raymarch::engine::mandelbulb::HWY_NAMESPACE
+} // namespace raymarch::engine::mandelbulb::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
-#include "engine/kernel_table.hpp"
+#include "engine/fast/kernel_table.hpp"
 
-namespace raymarch::engine::mandelbulb
+namespace raymarch::engine::mandelbulb::fast
 {
 
 std::span<const Kernel> kernels() noexcept
@@ -260,5 +260,5 @@ std::span<const Kernel> kernels() noexcept
     return table;
 }
 
-} // namespace raymarch::engine::mandelbulb
+} // namespace raymarch::engine::mandelbulb::fast
 #endif

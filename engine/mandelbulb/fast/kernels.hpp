@@ -8,10 +8,10 @@
 
 #include <span>
 
-namespace raymarch::engine::mandelbulb
+namespace raymarch::engine::mandelbulb::fast
 {
 
 /// See Model.
 [[nodiscard]] std::span<const Kernel> kernels() noexcept;
 
-} // namespace raymarch::engine::mandelbulb
+} // namespace raymarch::engine::mandelbulb::fast

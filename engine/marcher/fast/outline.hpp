@@ -11,7 +11,7 @@
 
 #include <array>
 
-namespace raymarch::engine::marcher
+namespace raymarch::engine::marcher::fast
 {
 
 /// Pixels x from `first` to before `end`.
@@ -74,4 +74,4 @@ class BoxOutline
     std::array<Edge, 12> edges_{};
 };
 
-} // namespace raymarch::engine::marcher
+} // namespace raymarch::engine::marcher::fast

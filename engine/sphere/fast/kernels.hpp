@@ -8,10 +8,10 @@
 
 #include <span>
 
-namespace raymarch::engine::sphere
+namespace raymarch::engine::sphere::fast
 {
 
 /// See Model. None where the vectors have no numbers of 53 bits.
 [[nodiscard]] std::span<const Kernel> kernels() noexcept;
 
-} // namespace raymarch::engine::sphere
+} // namespace raymarch::engine::sphere::fast

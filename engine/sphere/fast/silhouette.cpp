@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace raymarch::engine::sphere
+namespace raymarch::engine::sphere::fast
 {
 namespace
 {
@@ -93,4 +93,4 @@ Span silhouette(const Rules& rules, const Frame& frame, const Ball& ball, std::i
     return seen;
 }
 
-} // namespace raymarch::engine::sphere
+} // namespace raymarch::engine::sphere::fast

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/whitted/fast/kernels.hpp"
-#include "engine/kernel_targets.hpp"
+#include "engine/fast/targets.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/whitted/fast/kernels.cpp" // once for each instruction set
@@ -13,7 +13,7 @@
 #endif
 
 #if HWY_ONCE
-#include "engine/kernel_table.hpp"
+#include "engine/fast/kernel_table.hpp"
 
 namespace raymarch::engine::whitted::fast
 {

@@ -8,10 +8,10 @@
 
 #include <span>
 
-namespace raymarch::engine::marcher
+namespace raymarch::engine::marcher::fast
 {
 
 /// See Model.
 [[nodiscard]] std::span<const Kernel> kernels() noexcept;
 
-} // namespace raymarch::engine::marcher
+} // namespace raymarch::engine::marcher::fast
