@@ -67,13 +67,13 @@ HWY_INLINE Vec<F64> power(Vec<F64> square, int n)
     return result;
 }
 
-/// What all rays share, in double precision.
+/// All rays share these numbers, in double precision.
 struct RealCourse
 {
     Bounds bounds;
     int power;
     bool saturating;
-    double radius; ///< of escape
+    double radius; ///< an orbit escapes beyond it
     double last;   ///< the index at which an orbit stops in any case
     double origin[3];
     double first; ///< the distance at the origin, which is every ray's first evaluation
@@ -234,42 +234,53 @@ HWY_INLINE Measure measure(const RealCourse& course, const Track& track)
     return m;
 }
 
-/// One core: w, its tangent, dr and its slope move on, and their bounds with them.
-HWY_INLINE Track moved_on(const RealCourse& course, const Track& track, const Measure& m)
+/// A point of an orbit as its core computes with it.
+struct Core
 {
-    const Bounds& bounds = course.bounds;
+    Vec<F64> by_r;        ///< 1 / r
+    Vec<F64> by_across;   ///< 1 / across
+    Vec<F64> p;           ///< r^(d-1)
+    Vec<F64> q;           ///< r^d
+    Vec<F64> slenderness; ///< r / across
+    Vec<F64> squeeze;     ///< of circles about the axis
+    Vec<F64> stretch;     ///< d p
+    Vec<F64> v_r;         ///< the tangent's part along the point
+};
+
+/// Moves w and its tangent on.
+HWY_INLINE Core move_point(const RealCourse& course, const Track& track, const Measure& m,
+                           Track& next)
+{
     const double d = course.power;
     const Vec<F64> one = Set<F64>(1);
-    const Vec<F64> by_r = hn::Div(one, m.r);
-    const Vec<F64> by_across = hn::Div(one, m.across);
+    Core core{.by_r = hn::Div(one, m.r), .by_across = hn::Div(one, m.across)};
     const auto& [x, y, z] = track.w;
     const auto& [vx, vy, vz] = track.tangent;
 
-    const Heading theta{product(z, by_r), product(m.across, by_r)};
-    const Heading phi{product(x, by_across), product(y, by_across)};
+    const Heading theta{product(z, core.by_r), product(m.across, core.by_r)};
+    const Heading phi{product(x, core.by_across), product(y, core.by_across)};
     const Heading up = turned(theta, course.power);
     const Heading round = turned(phi, course.power);
-    const Vec<F64> p = power(m.r, course.power - 1);
-    const Vec<F64> q = product(p, m.r);
-    const Vec<F64> slenderness = product(m.r, by_across);
-    const Vec<F64> squeeze = product(up.sine, slenderness); // of circles about the axis
-    const Vec<F64> stretch = product(d, p);
+    core.p = power(m.r, course.power - 1);
+    core.q = product(core.p, m.r);
+    core.slenderness = product(m.r, core.by_across);
+    core.squeeze = product(up.sine, core.slenderness);
+    core.stretch = product(d, core.p);
 
     // The tangent in the frame of r, theta and phi, and from there into that of the image.
     const Vec<F64> outwards = hn::MulAdd(vx, phi.cosine, product(vy, phi.sine));
     const Vec<F64> v_phi = hn::MulSub(vy, phi.cosine, product(vx, phi.sine));
-    const Vec<F64> v_r = hn::MulAdd(theta.sine, outwards, product(theta.cosine, vz));
+    core.v_r = hn::MulAdd(theta.sine, outwards, product(theta.cosine, vz));
     const Vec<F64> v_theta = hn::MulSub(theta.cosine, outwards, product(theta.sine, vz));
-    const Vec<F64> along = product(stretch, v_r);
-    const Vec<F64> downwards = product(stretch, v_theta);
-    const Vec<F64> sideways = product(stretch, squeeze, v_phi);
+    const Vec<F64> along = product(core.stretch, core.v_r);
+    const Vec<F64> downwards = product(core.stretch, v_theta);
+    const Vec<F64> sideways = product(core.stretch, core.squeeze, v_phi);
     const Vec<F64> flat_tangent = hn::MulAdd(along, up.sine, product(downwards, up.cosine));
-    const Vec<F64> flat = product(q, up.sine);
+    const Vec<F64> flat = product(core.q, up.sine);
 
-    Track next = track;
     next.w[0] = product(flat, round.cosine);
     next.w[1] = product(flat, round.sine);
-    next.w[2] = product(q, up.cosine);
+    next.w[2] = product(core.q, up.cosine);
     next.tangent[0] = hn::MulSub(flat_tangent, round.cosine, product(sideways, round.sine));
     next.tangent[1] = hn::MulAdd(flat_tangent, round.sine, product(sideways, round.cosine));
     next.tangent[2] = hn::MulSub(along, up.cosine, product(downwards, up.sine));
@@ -279,50 +290,77 @@ HWY_INLINE Track moved_on(const RealCourse& course, const Track& track, const Me
         next.w[axis] = hn::Add(next.w[axis], c);
         next.tangent[axis] = hn::Add(next.tangent[axis], track.direction[axis]);
     }
+    return core;
+}
 
-    const Vec<F64> widest = hn::Max(one, hn::Abs(squeeze));
+/// Moves the bounds of w and its tangent on.
+HWY_INLINE void move_bounds(const RealCourse& course, const Track& track, const Measure& m,
+                            const Core& core, Track& next)
+{
+    const Bounds& bounds = course.bounds;
+    const double d = course.power;
+    const Vec<F64> one = Set<F64>(1);
+    const Vec<F64> widest = hn::Max(one, hn::Abs(core.squeeze));
     const Vec<F64> grown =
-        hn::MulAdd(product(course.widening, m.off), by_across, one); // of the derivative
-    const Vec<F64> lipschitz = product(stretch, widest, grown);
-    next.noise = hn::MulAdd(
-        lipschitz, track.noise,
-        hn::MulAdd(q, Set<F64>(bounds.q),
-                   hn::MulAdd(p, Set<F64>(bounds.p), sum(Set<F64>(bounds.c), track.point_noise))));
-    const Vec<F64> bend =
-        product(1.43 * d * d, product(p, by_r,
-                                      sum(hn::MulAdd(product(2, widest), widest, one), widest,
-                                          product(1.5, product(slenderness, sum(one, widest))))));
+        hn::MulAdd(product(course.widening, m.off), core.by_across, one); // of the derivative
+    const Vec<F64> lipschitz = product(core.stretch, widest, grown);
+    next.noise = hn::MulAdd(lipschitz, track.noise,
+                            hn::MulAdd(core.q, Set<F64>(bounds.q),
+                                       hn::MulAdd(core.p, Set<F64>(bounds.p),
+                                                  sum(Set<F64>(bounds.c), track.point_noise))));
+    const Vec<F64> bend = product(
+        1.43 * d * d, product(core.p, core.by_r,
+                              sum(hn::MulAdd(product(2, widest), widest, one), widest,
+                                  product(1.5, product(core.slenderness, sum(one, widest))))));
     next.tangent_off =
         hn::MulAdd(lipschitz, hn::MulAdd(Set<F64>(0x1p-44), m.speed, track.tangent_off),
                    hn::MulAdd(bend, product(m.off, m.speed), track.point_noise));
+}
 
+/// Moves dr, its slope and their bounds on.
+HWY_INLINE void move_derivative(const RealCourse& course, const Track& track, const Measure& m,
+                                const Core& core, Track& next)
+{
+    const Bounds& bounds = course.bounds;
+    const double d = course.power;
+    const Vec<F64> one = Set<F64>(1);
     // dr' = d P dr + 1, with the middle of what the pipeline's floor takes away.
-    const Vec<F64> tilt = product(m.off, by_r);
-    const Vec<F64> p_by_r = product(d - 1, product(p, by_r));
-    const Vec<F64> p_slope = product(p_by_r, v_r);
+    const Vec<F64> tilt = product(m.off, core.by_r);
+    const Vec<F64> p_by_r = product(d - 1, product(core.p, core.by_r));
+    const Vec<F64> p_slope = product(p_by_r, core.v_r);
     const Vec<F64> p_off = product(1.1, product(p_by_r, m.off));
-    const Vec<F64> p_noise = hn::MulAdd(product(1.1, p_by_r), m.r_noise,
-                                        hn::MulAdd(Set<F64>(2.2 * d * bounds.kept), p,
-                                                   product(bounds.power_floor, hn::Max(one, p))));
+    const Vec<F64> p_noise =
+        hn::MulAdd(product(1.1, p_by_r), m.r_noise,
+                   hn::MulAdd(Set<F64>(2.2 * d * bounds.kept), core.p,
+                              product(bounds.power_floor, hn::Max(one, core.p))));
     const Vec<F64> p_slope_off = product(
-        1.1, product(p_by_r, hn::MulAdd(product(d - 2, tilt), hn::Abs(v_r),
+        1.1, product(p_by_r, hn::MulAdd(product(d - 2, tilt), hn::Abs(core.v_r),
                                         hn::MulAdd(product(2, tilt), m.speed, track.tangent_off))));
-    const Vec<F64> p_most = sum(p, p_off);
+    const Vec<F64> p_most = sum(core.p, p_off);
     const Vec<F64> slope = hn::Abs(track.dr_slope);
     constexpr double floor_half = 0x1p-33;
-    next.dr = hn::MulAdd(stretch, track.dr, Set<F64>(1 - floor_half * d));
-    next.dr_slope = product(d, hn::MulAdd(p_slope, track.dr, product(p, track.dr_slope)));
+    next.dr = hn::MulAdd(core.stretch, track.dr, Set<F64>(1 - floor_half * d));
+    next.dr_slope = product(d, hn::MulAdd(p_slope, track.dr, product(core.p, track.dr_slope)));
     next.dr_noise =
         hn::MulAdd(product(d, p_most), track.dr_noise,
                    hn::MulAdd(product(1.1 * d, track.dr), p_noise,
                               hn::MulAdd(next.dr, Set<F64>(0x1p-44), Set<F64>(floor_half * d))));
-    const Vec<F64> slopes = hn::MulAdd(hn::Abs(p_slope), track.dr, product(p, slope));
+    const Vec<F64> slopes = hn::MulAdd(hn::Abs(p_slope), track.dr, product(core.p, slope));
     next.dr_slope_off = product(
         d,
         sum(hn::MulAdd(p_most, track.dr_slope_off, product(slope, p_off)),
             hn::MulAdd(p_slope_off, sum(track.dr, m.dr_off), product(hn::Abs(p_slope), m.dr_off)),
             product(0x1p-44, slopes)));
-    next.index = sum(track.index, one);
+}
+
+/// One core: the track a step on.
+HWY_INLINE Track moved_on(const RealCourse& course, const Track& track, const Measure& m)
+{
+    Track next = track;
+    const Core core = move_point(course, track, m, next);
+    move_bounds(course, track, m, core, next);
+    move_derivative(course, track, m, core, next);
+    next.index = sum(track.index, Set<F64>(1));
     return next;
 }
 
@@ -401,6 +439,18 @@ class Filter
     static constexpr std::size_t nothing = ~std::size_t{0};
     using Columns = std::array<std::array<double, lanes<F64>>, track_columns>;
 
+    /// An evaluation decides this about rays. In a lane at most one of hit, miss, limit and
+    /// proceeds is set where the bounds are known to hold.
+    struct Verdict
+    {
+        Mask<F64> known;
+        Mask<F64> hit;
+        Mask<F64> miss;
+        Mask<F64> limit;
+        Mask<F64> proceeds;
+        Vec<F64> evaluations; ///< with this one
+    };
+
     void step(std::size_t j)
     {
         Track track;
@@ -408,61 +458,76 @@ class Filter
         std::memcpy(&track, &columns_[j], sizeof(track));
         const Measure m = measure(course_, track);
         const Vec<F64> radius = Set<F64>(course_.radius);
+        const Vec<F64> most = hn::Add(m.r, m.r_margin);
         const Mask<F64> beyond = hn::Gt(hn::Sub(m.r, m.r_margin), radius);
-        const Mask<F64> within = hn::Lt(hn::Add(m.r, m.r_margin), radius);
+        const Mask<F64> within = hn::Lt(most, radius);
         const Mask<F64> last = hn::Eq(track.index, Set<F64>(course_.last));
-        const Mask<F64> inside =
-            hn::And(hn::And(last, within), hn::Lt(hn::Add(m.r, m.r_margin), Set<F64>(1)));
+        const Mask<F64> inside = hn::And(hn::And(last, within), hn::Lt(most, Set<F64>(1)));
         const Mask<F64> going = hn::And(m.sound, hn::AndNot(last, within));
         if (hn::AllTrue(F64(), going)) {
             track = moved_on(course_, track, m);
             std::memcpy(&columns_[j], &track, sizeof(track));
             return;
         }
-        const Mask<F64> known = hn::And(m.sound, hn::Or(beyond, inside));
         const Advance next = advance(course_, track, m);
-        // Nearer to a number than this, a double may be on the other side of what it stands for.
-        constexpr double nearly = 1 + 0x1p-50;
-        const Mask<F64> hit =
-            hn::Or(inside, hn::Lt(product(nearly, hn::Add(next.distance, next.distance_off)),
-                                  Set<F64>(course_.epsilon)));
-        const Mask<F64> clear =
-            hn::Gt(hn::Sub(next.distance, next.distance_off), Set<F64>(nearly * course_.epsilon));
-        const Mask<F64> miss =
-            hn::And(clear, hn::Gt(hn::Sub(next.t, next.t_off), Set<F64>(course_.farthest)));
-        const Mask<F64> stays =
-            hn::And(clear, hn::Lt(hn::Add(next.t, next.t_off), Set<F64>(course_.farthest)));
-        const Vec<F64> evaluations = hn::Add(track.evaluations, Set<F64>(1));
-        const Mask<F64> limit = hn::And(stays, hn::Ge(evaluations, Set<F64>(course_.evaluations)));
-        const Mask<F64> proceeds = hn::And(hn::AndNot(limit, stays), known);
+        Verdict verdict = judge(track, next, inside);
+        verdict.known = hn::And(m.sound, hn::Or(beyond, inside));
+        verdict.proceeds = hn::And(verdict.proceeds, verdict.known);
         Track fresh = track;
         fresh.t = next.t;
         fresh.t_off = next.t_off;
-        fresh.evaluations = evaluations;
+        fresh.evaluations = verdict.evaluations;
         place(course_, fresh);
         const std::array<Vec<F64>, track_columns> ahead =
             std::bit_cast<std::array<Vec<F64>, track_columns>>(moved_on(course_, track, m));
         const auto placed = std::bit_cast<std::array<Vec<F64>, track_columns>>(fresh);
         for (std::size_t i = 0; i < track_columns; ++i)
             hn::StoreU(hn::IfThenElse(going, ahead[i], placed[i]), F64(), columns_[j][i].data());
+        end_others(j, hn::Or(going, verdict.proceeds), verdict, track.index);
+    }
 
+    /// `known` is the caller's.
+    HWY_INLINE Verdict judge(const Track& track, const Advance& next, Mask<F64> inside) const
+    {
+        // Nearer to a number than this, a double may be on the other side of what it stands for.
+        constexpr double nearly = 1 + 0x1p-50;
+        const Vec<F64> epsilon = Set<F64>(course_.epsilon);
+        const Vec<F64> farthest = Set<F64>(course_.farthest);
+        const Vec<F64> most = hn::Add(next.distance, next.distance_off);
+        const Mask<F64> clear =
+            hn::Gt(hn::Sub(next.distance, next.distance_off), Set<F64>(nearly * course_.epsilon));
+        const Mask<F64> stays = hn::And(clear, hn::Lt(hn::Add(next.t, next.t_off), farthest));
+        Verdict verdict;
+        verdict.evaluations = hn::Add(track.evaluations, Set<F64>(1));
+        verdict.hit = hn::Or(inside, hn::Lt(product(nearly, most), epsilon));
+        verdict.miss = hn::And(clear, hn::Gt(hn::Sub(next.t, next.t_off), farthest));
+        verdict.limit = hn::And(stays, hn::Ge(verdict.evaluations, Set<F64>(course_.evaluations)));
+        verdict.proceeds = hn::AndNot(verdict.limit, stays);
+        return verdict;
+    }
+
+    /// Ends the rays of vector j that are not `open`.
+    HWY_INLINE void end_others(std::size_t j, Mask<F64> open, const Verdict& verdict,
+                               Vec<F64> index)
+    {
+        if (hn::AllTrue(F64(), open))
+            return;
         const auto bits = [](Mask<F64> mask) {
             std::array<std::uint8_t, 8> bytes{};
             hn::StoreMaskBits(F64(), mask, bytes.data());
             return unsigned{bytes[0]};
         };
-        const unsigned open = bits(hn::Or(going, proceeds));
-        if (open == (1U << lanes<F64>)-1)
-            return;
-        const unsigned hits = bits(hn::And(known, hit));
-        const unsigned misses = bits(hn::And(known, miss));
-        const unsigned limits = bits(hn::And(known, limit));
+        const unsigned others = bits(hn::Not(open));
+        const unsigned known = bits(verdict.known);
+        const unsigned hits = known & bits(verdict.hit);
+        const unsigned misses = known & bits(verdict.miss);
+        const unsigned limits = known & bits(verdict.limit);
         std::array<double, lanes<F64>> made;
         std::array<double, lanes<F64>> indices;
-        hn::StoreU(evaluations, F64(), made.data());
-        hn::StoreU(track.index, F64(), indices.data());
+        hn::StoreU(verdict.evaluations, F64(), made.data());
+        hn::StoreU(index, F64(), indices.data());
         for (std::size_t i = 0; i < lanes<F64>; ++i)
-            if ((open >> i & 1) == 0)
+            if ((others >> i & 1) != 0)
                 end(j * lanes<F64> + i,
                     (hits >> i & 1) != 0     ? Outcome::Hit
                     : (misses >> i & 1) != 0 ? Outcome::Miss

@@ -44,21 +44,21 @@ HWY_INLINE Vec<F64> dot(const Points& a, const Points& b)
     return hn::Add(hn::Mul(a.x, b.x), hn::Add(hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)));
 }
 
-/// Whether |v| <= 2^bits. False of what is no number.
+/// Says where |v| <= 2^bits, which is false for what is no number.
 HWY_INLINE Mask<F64> fits(Vec<F64> v, int bits)
 {
     return hn::Le(hn::Abs(v), Set<F64>(std::int64_t{1} << bits));
 }
 
-/// As Rules, for the compiler to know.
+/// Names the sets of Rules, so that the compiler knows them.
 enum class RuleSet : std::uint8_t { Rtl, Repaired, Prototype, Corrected };
 
-/// Where lines meet a sphere; a line without a bit in `hits` has no point.
+/// Lines meet a sphere at these points. A line without a bit in `hits` has none.
 struct Strikes
 {
     Mask<F64> misses; ///< those that neither miss nor hit are rejected
     Mask<F64> hits;
-    Mask<F64> exact;  ///< where the rest holds
+    Mask<F64> exact;  ///< the rest holds here
     Vec<F64> squared; ///< the squared length of the line
     Vec<F64> root;
     Points point;
@@ -84,6 +84,23 @@ HWY_INLINE Vec<F64> narrowed(Vec<F64> v, Mask<F64>& exact)
     }
     const Vec<F64> word = Set<F64>(1 << 16);
     return hn::Sub(v, hn::Mul(word, hn::Floor(hn::Mul(v, Set<F64>(0x1p-16)))));
+}
+
+/// The points where lines meet the sphere; `near` and `far` are the roots, times `whole`.
+template <RuleSet rules>
+HWY_INLINE void set_points(Strikes& strikes, const Points& from, const Points& to, Vec<F64> near,
+                           Vec<F64> far, Vec<F64> whole)
+{
+    // With |T| + |2 a| below 2^34 each product below is at most 2^51, and so is their sum, twice.
+    Mask<F64> exact = fits(hn::Add(hn::Max(hn::Abs(far), hn::Abs(near)), whole), 34);
+    const Vec<F64> used = strikes.root;
+    const auto axis = [&](Vec<F64> t, Vec<F64> p0, Vec<F64> p1) {
+        const Vec<F64> sum = hn::Add(hn::Mul(t, p1), hn::Mul(hn::Sub(whole, used), p0));
+        return narrowed<rules>(quotient(sum, whole), exact);
+    };
+    strikes.point = {axis(rules == RuleSet::Rtl ? far : used, from.x, to.x),
+                     axis(used, from.y, to.y), axis(used, from.z, to.z)};
+    strikes.exact = hn::And(strikes.exact, hn::Or(exact, hn::Not(strikes.hits)));
 }
 
 /// intersect(), of coordinates up to 2^17. `beside` is from - centre, and `c` its squared length
@@ -147,15 +164,7 @@ HWY_INLINE Strikes intersect(const Points& from, const Points& to, const Points&
     if constexpr (reach == Reach::Segment) // its point is not asked for
         return strikes;
 
-    // With |T| + |2 a| below 2^34 each product below is at most 2^51, and so is their sum, twice.
-    Mask<F64> exact = fits(hn::Add(hn::Max(hn::Abs(far), hn::Abs(near)), whole), 34);
-    const auto axis = [&](Vec<F64> t, Vec<F64> p0, Vec<F64> p1) {
-        const Vec<F64> sum = hn::Add(hn::Mul(t, p1), hn::Mul(hn::Sub(whole, used), p0));
-        return narrowed<rules>(quotient(sum, whole), exact);
-    };
-    strikes.point = {axis(rules == RuleSet::Rtl ? far : used, from.x, to.x),
-                     axis(used, from.y, to.y), axis(used, from.z, to.z)};
-    strikes.exact = hn::And(strikes.exact, hn::Or(exact, hn::Not(strikes.hits)));
+    set_points<rules>(strikes, from, to, near, far, whole);
     return strikes;
 }
 

@@ -56,8 +56,8 @@ HWY_INLINE Vec<I32> accumulated(Vec<I32> sum, const Triple& colour, Vec<I32> wei
                   accumulated<Packed::blue>(sum, colour.z, weight));
 }
 
-/// What was hit. Rows of the tables are merged, so that spheres and planes in one vector are shaded
-/// together from here on.
+/// The surfaces that were hit. Rows of the tables are merged, so that spheres and planes in one
+/// vector are shaded together from here on.
 struct Surface
 {
     Mask<I32> on_sphere;
@@ -122,15 +122,15 @@ HWY_NOINLINE Shadow search_far_shadow(const Scene& scene, Mask<I32> searching, c
     return search_shadow<R, Length::Wrapped>(scene, searching, point, way, own);
 }
 
-/// What reaches surfaces from the light.
+/// The light that reaches surfaces.
 struct Lighting
 {
     Triple colour;
     Mask<I32> lost;
-    Vec<I32> cycles; ///< of the search for shadows
+    Vec<I32> cycles; ///< the search for shadows takes them
 };
 
-/// Of the points in `where`; `own` is as in search_shadow.
+/// Lights the points in `where`; `own` is that of search_shadow.
 template <typename R>
 HWY_INLINE Lighting lighting(const Scene& scene, Mask<I32> where, Mask<I32> lit_sphere,
                              const Triple& point, const Surface& surface, Vec<I32> own)
@@ -185,7 +185,7 @@ HWY_INLINE void lose(Results& results, Mask<I32> lost, Vec<I32> slot)
     results.lost_count += compress.count();
 }
 
-/// Samples that end.
+/// Stores the samples that end.
 template <typename R>
 HWY_INLINE void finish(Results& results, Mask<I32> ended, Vec<I32> slot, Vec<I32> sum,
                        Vec<I32> cycles, Vec<I32> rays)
@@ -208,152 +208,237 @@ HWY_INLINE void finish(Results& results, Mask<I32> ended, Vec<I32> slot, Vec<I32
     }
 }
 
+HWY_INLINE void add(Vec<I32>& count, Mask<I32> where, std::uint32_t number)
+{
+    count = hn::Add(count, hn::IfThenElseZero(where, Set<I32>(number)));
+}
+
+/// The spheres and planes that rays hit.
+struct Hits
+{
+    Mask<I32> on_sphere; ///< the light among them
+    Mask<I32> on_plane;
+    Vec<I32> sphere;
+    Vec<I32> plane;
+    Vec<I32> distance;
+    Mask<I32> lost;
+    Vec<I32> cycles;
+};
+
+template <typename R, Generation generation>
+HWY_INLINE Hits find_hits(const Scene& scene, Mask<I32> here, const Triple& origin,
+                          const Triple& direction, Vec<I32> own)
+{
+    Approaching ray = approaching(scene, origin, direction);
+    const SphereHit sphere = nearest_sphere<R, generation>(scene, ray, own);
+    Hits hits{.on_sphere = hn::And(sphere.any, here),
+              .on_plane = no_lanes(),
+              .sphere = sphere.index,
+              .plane = hn::Zero(I32()),
+              .distance = sphere.distance,
+              .lost = hn::And(sphere.lost, here),
+              .cycles = sphere.cycles};
+    if (!scene.frame.planes_drawn)
+        return hits;
+    const Mask<I32> open = hn::AndNot(hits.on_sphere, here);
+    if (hn::AllFalse(I32(), open))
+        return hits;
+    const PlaneHit plane = nearest_plane<R, generation>(scene, open, origin, ray.from, direction);
+    hits.on_plane = hn::And(plane.any, open);
+    hits.plane = plane.index;
+    hits.distance = IfThenElse(hits.on_plane, plane.distance, hits.distance);
+    hits.lost = hn::Or(hits.lost, hn::And(plane.lost, open));
+    if constexpr (R::counts)
+        hits.cycles = hn::Add(hits.cycles, hn::IfThenElseZero(open, plane.cycles));
+    return hits;
+}
+
+/// The sum with the light of the rays that end at it.
+template <Generation generation>
+HWY_INLINE Vec<I32> with_light(Vec<I32> sum, Mask<I32> at_light, Vec<I32> weight)
+{
+    constexpr std::int32_t flags =
+        Packed::ends_at_light | (generation == Generation::Primary ? Packed::sees_light : 0);
+    if (hn::AllFalse(I32(), at_light))
+        return sum;
+    const Vec<I32> white = Set<I32>(brightest);
+    const Vec<I32> brighter = accumulated(sum, {white, white, white}, weight);
+    return IfThenElse(at_light, hn::Or(brighter, Set<I32>(flags)), sum);
+}
+
+/// The light that the surfaces in `where` reflect.
+template <typename R>
+HWY_INLINE Lighting shade(const Scene& scene, Mask<I32> where, Mask<I32> lost, Mask<I32> lit_sphere,
+                          const Triple& point, const Surface& surface, Vec<I32> own)
+{
+    // What is black is black in the light too, and in most rooms it is the walls.
+    const Mask<I32> coloured =
+        R::counts ? where : hn::And(where, positive(any_bit(surface.colour)));
+    if (hn::AllFalse(I32(), coloured))
+        return {.colour = surface.colour, .lost = no_lanes(), .cycles = hn::Zero(I32())};
+    return lighting<R>(scene, hn::AndNot(lost, coloured), lit_sphere, point, surface, own);
+}
+
+/// Rays as the stream holds them.
+struct Rays
+{
+    Triple origin;
+    Triple direction;
+    Vec<I32> own; ///< the sphere that a ray leaves, or saw last (R2)
+    Vec<I32> weight;
+    Vec<I32> sum;
+    Vec<I32> slot;
+    Vec<I32> cycles; ///< only where costs are counted, as the next one
+    Vec<I32> count;
+};
+
+template <typename R, Generation generation>
+HWY_INLINE Rays load_rays(const Frame& frame, const Stream<R::counts>& stream, std::size_t at)
+{
+    constexpr bool primary = generation == Generation::Primary;
+    const auto load = [&](const StreamColumn& column) {
+        return hn::Load(I32(), column.data() + at);
+    };
+    const Vec<I32> zero = hn::Zero(I32());
+    Rays rays{
+        .origin = {Set<I32>(frame.eye.x.raw()), Set<I32>(frame.eye.y.raw()),
+                   Set<I32>(frame.eye.z.raw())},
+        .direction = {load(stream.direction_x), load(stream.direction_y), load(stream.direction_z)},
+        .own = zero,
+        .weight = Set<I32>(full_weight),
+        .sum = zero,
+        .slot = load(stream.slot)};
+    if constexpr (!primary) {
+        rays.origin = {load(stream.origin_x), load(stream.origin_y), load(stream.origin_z)};
+        rays.own = load(stream.sphere);
+        rays.weight = load(stream.weight);
+        rays.sum = load(stream.sum);
+    }
+    return rays;
+}
+
+/// Appends the rays in `kept` to the first `at` of the stream. Returns how many they are.
+template <typename R>
+HWY_INLINE std::size_t keep(Stream<R::counts>& stream, std::size_t at, const Rays& rays,
+                            Mask<I32> kept)
+{
+    const Compress<I32> compress(kept);
+    const auto put = [&](StreamColumn& column, Vec<I32> value) {
+        compress.store(value, column.data() + at);
+    };
+    put(stream.direction_x, rays.direction.x);
+    put(stream.direction_y, rays.direction.y);
+    put(stream.direction_z, rays.direction.z);
+    put(stream.origin_x, rays.origin.x);
+    put(stream.origin_y, rays.origin.y);
+    put(stream.origin_z, rays.origin.z);
+    put(stream.sphere, rays.own);
+    put(stream.weight, rays.weight);
+    put(stream.sum, rays.sum);
+    put(stream.slot, rays.slot);
+    if constexpr (R::counts) {
+        put(stream.cycles, rays.cycles);
+        put(stream.rays, rays.count);
+    }
+    return compress.count();
+}
+
+/// What samples cost so far; zero where that is not counted.
+struct Counts
+{
+    Vec<I32> cycles;
+    Vec<I32> rays;
+
+    template <typename R>
+    HWY_INLINE void shaded(Mask<I32> surfaces, Mask<I32> lit_sphere, Vec<I32> search)
+    {
+        if constexpr (R::counts) {
+            cycles = hn::Add(cycles, search);
+            add(cycles, surfaces,
+                whitted::cycles::ray + whitted::cycles::normal + whitted::cycles::cosine);
+            add(cycles, lit_sphere, whitted::cycles::lambert);
+            add(rays, surfaces, 1);
+        }
+    }
+    template <typename R>
+    HWY_INLINE void reflected(Mask<I32> going_on)
+    {
+        if constexpr (R::counts) {
+            add(cycles, going_on, whitted::cycles::reflect + whitted::cycles::ray);
+            add(rays, going_on, 1);
+        }
+    }
+};
+
+template <typename R, Generation generation>
+HWY_INLINE Counts counts_of(const Stream<R::counts>& stream, std::size_t at, const Hits& hits)
+{
+    Counts counts{.cycles = hn::Zero(I32()), .rays = hn::Zero(I32())};
+    if constexpr (R::counts && generation == Generation::Primary)
+        counts = {Set<I32>(cycles::ray + cycles::end_of_sample), Set<I32>(1)};
+    else if constexpr (R::counts)
+        counts = {hn::Load(I32(), stream.cycles.data() + at),
+                  hn::Load(I32(), stream.rays.data() + at)};
+    if constexpr (R::counts) {
+        counts.cycles = hn::Add(counts.cycles, hits.cycles);
+        add(counts.cycles, hn::Or(hits.on_sphere, hits.on_plane), cycles::accumulate);
+    }
+    return counts;
+}
+
 /// Follows `count` rays of `stream` to what they hit, and leaves their reflections in it. Returns
 /// how many those are. `last`: no more reflections.
 template <typename R, Generation generation>
 std::size_t follow(const Scene& scene, Stream<R::counts>& stream, std::size_t count, bool last,
                    Results& results)
 {
-    constexpr bool primary = generation == Generation::Primary;
-    const Frame& frame = scene.frame;
-    const Vec<I32> light_index = Set<I32>(frame.last);
     std::size_t kept = 0;
     for (std::size_t at = 0; at < count; at += lanes<I32>) {
         const Mask<I32> here = hn::FirstN(I32(), count - at);
-        const auto load = [&](const std::int32_t* column) { return hn::Load(I32(), column + at); };
-        const Triple direction{load(stream.direction_x), load(stream.direction_y),
-                               load(stream.direction_z)};
-        Triple origin{Set<I32>(frame.eye.x.raw()), Set<I32>(frame.eye.y.raw()),
-                      Set<I32>(frame.eye.z.raw())};
-        Vec<I32> own = hn::Zero(I32());
-        Vec<I32> weight = Set<I32>(full_weight);
-        Vec<I32> sum = hn::Zero(I32());
-        const Vec<I32> slot = load(stream.slot);
-        if constexpr (!primary) {
-            origin = {load(stream.origin_x), load(stream.origin_y), load(stream.origin_z)};
-            own = load(stream.sphere);
-            weight = load(stream.weight);
-            sum = load(stream.sum);
-        }
-
-        // What is hit.
-        Approaching ray = approaching(scene, origin, direction);
-        const SphereHit sphere = nearest_sphere<R, generation>(scene, ray, own);
-        Mask<I32> lost = hn::And(sphere.lost, here);
-        const Mask<I32> on_sphere = hn::And(sphere.any, here);
-        Mask<I32> on_plane = no_lanes();
-        Vec<I32> plane_index = hn::Zero(I32());
-        Vec<I32> distance = sphere.distance;
-        Vec<I32> spent = sphere.cycles;
-        if (frame.planes_drawn) {
-            const Mask<I32> open = hn::AndNot(on_sphere, here);
-            if (!hn::AllFalse(I32(), open)) {
-                const PlaneHit plane =
-                    nearest_plane<R, generation>(scene, open, origin, ray.from, direction);
-                on_plane = hn::And(plane.any, open);
-                plane_index = plane.index;
-                distance = IfThenElse(on_plane, plane.distance, distance);
-                lost = hn::Or(lost, hn::And(plane.lost, open));
-                if constexpr (R::counts)
-                    spent = hn::Add(spent, hn::IfThenElseZero(open, plane.cycles));
-            }
-        }
-        const Mask<I32> at_light = hn::And(on_sphere, hn::Eq(sphere.index, light_index));
-        const Mask<I32> lit_sphere = hn::AndNot(at_light, on_sphere);
-        const Mask<I32> surfaces = hn::Or(lit_sphere, on_plane);
-        const Reached to = point_at(scene, origin, direction, distance);
-        const Triple& point = to.point;
-        lost = hn::Or(lost, hn::And(surfaces, to.lost));
-
-        // Light from the light itself.
-        Vec<I32> rays = hn::Zero(I32());
-        if constexpr (R::counts)
-            spent = hn::Add(spent, hn::IfThenElseZero(hn::Or(on_sphere, on_plane),
-                                                      Set<I32>(cycles::accumulate)));
-        if (!hn::AllFalse(I32(), at_light)) {
-            const Vec<I32> white = Set<I32>(brightest);
-            sum = IfThenElse(at_light, accumulated(sum, {white, white, white}, weight), sum);
-            const std::int32_t flags = Packed::ends_at_light | (primary ? Packed::sees_light : 0);
-            sum = IfThenElse(at_light, hn::Or(sum, Set<I32>(flags)), sum);
-        }
-
-        // Light on surfaces, and where it goes.
-        Mask<I32> goes_on = no_lanes();
-        Triple mirrored = direction;
-        Vec<I32> now_own = own;
+        const Rays from = load_rays<R, generation>(scene.frame, stream, at);
+        const Hits hits =
+            find_hits<R, generation>(scene, here, from.origin, from.direction, from.own);
+        const Mask<I32> at_light =
+            hn::And(hits.on_sphere, hn::Eq(hits.sphere, Set<I32>(scene.frame.last)));
+        const Mask<I32> lit_sphere = hn::AndNot(at_light, hits.on_sphere);
+        const Mask<I32> surfaces = hn::Or(lit_sphere, hits.on_plane);
+        const Reached to = point_at(scene, from.origin, from.direction, hits.distance);
+        Mask<I32> lost = hn::Or(hits.lost, hn::And(surfaces, to.lost));
+        Counts spent = counts_of<R, generation>(stream, at, hits);
+        Vec<I32> sum = with_light<generation>(from.sum, at_light, from.weight);
+        Vec<I32> weight = from.weight;
+        Vec<I32> own = from.own;
+        Triple direction = from.direction;
+        Mask<I32> going_on = no_lanes();
         if (!hn::AllFalse(I32(), surfaces)) {
             const Surface surface =
-                surface_of(scene, lit_sphere, sphere.index, on_plane, plane_index, point);
+                surface_of(scene, lit_sphere, hits.sphere, hits.on_plane, hits.plane, to.point);
             lost = hn::Or(lost, hn::And(surfaces, surface.lost));
-            if constexpr (R::has(Defect::StaleSphere))
-                now_own = IfThenElse(lit_sphere, sphere.index, own);
-            else
-                now_own = IfThenElse(lit_sphere, sphere.index, Set<I32>(no_sphere));
-            Triple colour = surface.colour;
-            // What is black is black in the light too, and in most rooms it is the walls.
-            const Mask<I32> coloured =
-                R::counts ? surfaces : hn::And(surfaces, positive(any_bit(surface.colour)));
-            if (!hn::AllFalse(I32(), coloured)) {
-                const Lighting light = lighting<R>(scene, hn::AndNot(lost, coloured), lit_sphere,
-                                                   point, surface, now_own);
-                lost = hn::Or(lost, light.lost);
-                colour = light.colour;
-                if constexpr (R::counts)
-                    spent = hn::Add(spent, light.cycles);
-            }
-            if constexpr (R::counts) {
-                constexpr cycles::Cycles shading = cycles::ray + cycles::normal + cycles::cosine;
-                spent = hn::Add(spent, hn::IfThenElseZero(surfaces, Set<I32>(shading)));
-                spent = hn::Add(spent, hn::IfThenElseZero(lit_sphere, Set<I32>(cycles::lambert)));
-                rays = hn::Add(rays, hn::IfThenElseZero(surfaces, Set<I32>(1)));
-            }
-            const Vec<I32> brighter = accumulated(sum, colour, weight);
-            sum = IfThenElse(surfaces, brighter, sum);
+            own = IfThenElse(lit_sphere, hits.sphere,
+                             R::has(Defect::StaleSphere) ? own : Set<I32>(no_sphere));
+            const Lighting light =
+                shade<R>(scene, surfaces, lost, lit_sphere, to.point, surface, own);
+            lost = hn::Or(lost, light.lost);
+            sum = IfThenElse(surfaces, accumulated(sum, light.colour, weight), sum);
             weight = weighted(weight, surface.reflect);
+            spent.template shaded<R>(surfaces, lit_sphere, light.cycles);
             if (!last) {
-                goes_on = hn::AndNot(hn::Lt(weight, Set<I32>(least_weight)), surfaces);
-                goes_on = hn::AndNot(lost, goes_on);
+                const Mask<I32> dim = hn::Lt(weight, Set<I32>(least_weight));
+                const Mask<I32> bright = hn::AndNot(lost, hn::AndNot(dim, surfaces));
                 const Reflected reflected = reflect(direction, surface.normal);
-                const Mask<I32> unmirrored = hn::And(goes_on, reflected.lost);
-                lost = hn::Or(lost, unmirrored);
-                goes_on = hn::AndNot(unmirrored, goes_on);
-                mirrored = reflected.direction;
-                if constexpr (R::counts) {
-                    spent = hn::Add(spent, hn::IfThenElseZero(
-                                               goes_on, Set<I32>(cycles::reflect + cycles::ray)));
-                    rays = hn::Add(rays, hn::IfThenElseZero(goes_on, Set<I32>(1)));
-                }
+                lost = hn::Or(lost, hn::And(bright, reflected.lost));
+                going_on = hn::AndNot(reflected.lost, bright);
+                direction = reflected.direction;
+                spent.template reflected<R>(going_on);
             }
         }
-
-        if constexpr (R::counts) {
-            constexpr cycles::Cycles sample = cycles::ray + cycles::end_of_sample;
-            spent = hn::Add(spent, primary ? Set<I32>(sample) : load(stream.cycles));
-            rays = hn::Add(rays, primary ? Set<I32>(1) : load(stream.rays));
-        }
-        finish<R>(results, hn::AndNot(goes_on, here), slot, sum, spent, rays);
-        lose(results, lost, slot);
-        if (hn::AllFalse(I32(), goes_on))
-            continue;
-        const Compress<I32> compress(goes_on);
-        const auto keep = [&](std::int32_t* column, Vec<I32> value) {
-            compress.store(value, column + kept);
-        };
-        keep(stream.direction_x, mirrored.x);
-        keep(stream.direction_y, mirrored.y);
-        keep(stream.direction_z, mirrored.z);
-        keep(stream.origin_x, point.x);
-        keep(stream.origin_y, point.y);
-        keep(stream.origin_z, point.z);
-        keep(stream.sphere, now_own);
-        keep(stream.weight, weight);
-        keep(stream.sum, sum);
-        keep(stream.slot, slot);
-        if constexpr (R::counts) {
-            keep(stream.cycles, spent);
-            keep(stream.rays, rays);
-        }
-        kept += compress.count();
+        finish<R>(results, hn::AndNot(going_on, here), from.slot, sum, spent.cycles, spent.rays);
+        lose(results, lost, from.slot);
+        if (!hn::AllFalse(I32(), going_on))
+            kept += keep<R>(
+                stream, kept,
+                {to.point, direction, own, weight, sum, from.slot, spent.cycles, spent.rays},
+                going_on);
     }
     return kept;
 }
