@@ -239,9 +239,9 @@ class FloatRegionDrawing
 };
 
 /// Whole rows only.
-void draw_float(WordSpan words, const Region& region, const Canvas& canvas) noexcept
+void draw_float(const Picture& picture, const Region& region, const Canvas& canvas) noexcept
 {
-    const Frame frame = latch(words);
+    const auto& frame = frame_of<Frame>(picture);
     switch (frame.scene) {
     case marcher::Scene::Sphere:
         return FloatRegionDrawing<FloatSphere, BallOutline>(frame, region, canvas).draw();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The stages composed, as fractal.cpp does it, for pixels in vectors. Highway compiles this file
 // once for each instruction set.
-#include "engine/fractal/fast/kernels.hpp"
+#include "engine/fast/kernels.hpp"
 
 #include "engine/fast/targets.hpp"
 #include "engine/fractal/checkerboard.hpp"
@@ -42,7 +42,7 @@ struct Line
     Row row;
 };
 
-/// What all pixels of a region share.
+/// All pixels of a region share these numbers.
 struct Scenery
 {
     const Frame& frame;
@@ -177,9 +177,9 @@ void show(const Scenery& scenery, const Line& line, const Ending* endings, Pictu
                 .steps = static_cast<std::uint32_t>(endings[i] >> queries_shift), .rays = 1};
 }
 
-void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept
+void draw(const Picture& picture, const Region& region, const Canvas& canvas) noexcept
 {
-    const Frame frame = latch(words);
+    const auto& frame = frame_of<Frame>(picture);
     const SceneRow& scene = scene_row(frame.scene);
     const Scenery scenery{
         .frame = frame,
@@ -233,15 +233,5 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include "engine/fast/kernel_table.hpp"
-
-namespace raymarch::engine::fractal::fast
-{
-
-std::span<const Kernel> kernels() noexcept
-{
-    static constexpr std::array table = {RAYMARCH_KERNELS(draw)};
-    return table;
-}
-
-} // namespace raymarch::engine::fractal::fast
+RAYMARCH_DEFINE_KERNELS(fractal)
 #endif

@@ -28,14 +28,14 @@ inline constexpr unsigned max_columns = 128;
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(n.raw()) << spare_bits);
 }
 
-/// What columns add to a ray before it is normalised; nothing in y.
+/// Columns add this to a ray before it is normalised; they add nothing in y.
 struct Columns
 {
     HWY_ALIGN std::array<std::int32_t, max_columns> x;
     HWY_ALIGN std::array<std::int32_t, max_columns> z;
 };
 
-/// What a row adds, forward among it.
+/// A row adds this, which includes the forward vector.
 struct Row
 {
     Vec3<std::int32_t> ray;

@@ -93,10 +93,10 @@ class Marcher
 
   private:
     using EndingTag = hn::Rebind<Ending, Tag>;
-    /// Where so few rays of a batch go on, they wait for others.
+    /// So few rays of a batch do not go on: they wait for others.
     static constexpr std::size_t enough_to_go_on = batch / 6;
 
-    /// Whether all rays have made as many steps.
+    /// Says whether all rays have made as many steps.
     enum class Depths : bool { Same, Own };
 
     /// Steps until at most `few` are alive. Beyond the last depth there is no query: who gets there

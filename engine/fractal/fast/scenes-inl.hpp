@@ -101,7 +101,7 @@ struct RepeatingRays
 
     [[nodiscard]] HWY_INLINE Vec<U16> missed() const { return Set<U16>(0); }
 
-    /// What the texture needs of a position: all but its integer.
+    /// The texture needs all of a position but its integer.
     [[nodiscard]] HWY_INLINE Vec<U16> texel(std::size_t axis) const { return fraction[axis]; }
     [[nodiscard]] static HWY_INLINE Vec<U16> shortened(Vec<U16> v) { return v; }
 };
@@ -164,7 +164,7 @@ struct CellRays : RepeatingRays
     }
 };
 
-/// Of the integer the sponge needs whether it is odd: `cell` is -1 where it is even.
+/// The sponge needs to know whether the integer is odd: `cell` is -1 where it is even.
 struct MengerRays : CellRays
 {
     HWY_INLINE void start(const Point& p)

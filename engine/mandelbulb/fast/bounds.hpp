@@ -28,7 +28,7 @@ struct Bounds
     double distance_unit; ///< absolute, of a distance
 };
 
-/// What the bounds presuppose.
+/// The bounds presuppose this.
 [[nodiscard]] constexpr bool bounded(const Arithmetic& with) noexcept
 {
     return with.steps >= 20 && with.kept_bits >= 20 && with.scale == 0;

@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace raymarch::engine::mandelbulb::fast::HWY_NAMESPACE
 {
 
-/// What N steps share.
+/// N steps share these numbers.
 struct Cordic
 {
     int steps;
@@ -64,8 +64,8 @@ HWY_INLINE PolarBatch to_polar(const Cordic& with, Batch x, const Batch& y)
     for (int i = 0; i < with.steps; ++i) {
         const Vec<U64> turn = Set<U64>(angles[static_cast<std::size_t>(i)]);
         for (std::size_t j = 0; j < in_flight; ++j) {
-            const Vec<U64> across = shift_right(x[j], i);
-            const Vec<U64> along = shift_right(u[j], i);
+            const Vec<U64> across = hn::ShiftRightSame(x[j], i);
+            const Vec<U64> along = hn::ShiftRightSame(u[j], i);
             back[j] = hn::Add(back[j], hn::And(negative[j], turn));
             x[j] = hn::Add(hn::Sub(x[j], negative[j]), along);
             const Vec<U64> next = hn::Sub(u[j], across);
@@ -120,8 +120,8 @@ HWY_INLINE CartesianBatch to_cartesian(const Cordic& with, const Batch& r, const
                 x[j] = hn::Sub(hn::Add(x[j], negative[j]), along);
                 y[j] = hn::Xor(hn::Add(y[j], across), flipped);
             } else {
-                const Vec<U64> across = shift_right(x[j], i);
-                const Vec<U64> along = shift_right(y[j], i);
+                const Vec<U64> across = hn::ShiftRightSame(x[j], i);
+                const Vec<U64> along = hn::ShiftRightSame(y[j], i);
                 x[j] = hn::Sub(hn::Add(x[j], hn::Add(negative[j], excess)), along);
                 y[j] = hn::Xor(hn::Add(y[j], hn::Sub(across, excess)), flipped);
             }

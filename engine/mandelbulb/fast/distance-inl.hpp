@@ -35,9 +35,9 @@ HWY_INLINE Batch logarithm(const Batch& r, int steps)
     for (int i = 0; i < steps; ++i) {
         const Vec<U64> entry = Set<U64>(table[static_cast<std::size_t>(i)]);
         for (std::size_t j = 0; j < in_flight; ++j) {
-            const Vec<U64> next = hn::Add(product[j], shift_right(product[j], i));
+            const Vec<U64> next = hn::Add(product[j], hn::ShiftRightSame(product[j], i));
             const Vec<U64> beyond = greater(next, mantissa[j]);
-            product[j] = select(beyond, product[j], next);
+            product[j] = hn::IfVecThenElse(beyond, product[j], next);
             sum[j] = hn::Add(sum[j], hn::AndNot(beyond, entry));
         }
     }
@@ -73,7 +73,7 @@ HWY_INLINE Batch divide(const Batch& numerator, const DerivativeBatch& derivativ
         forwards += unit >> i;
         for (std::size_t j = 0; j < in_flight; ++j) {
             back[j] = hn::Add(back[j], hn::And(negative[j], digit));
-            const Vec<U64> next = hn::Sub(rest[j], shift_right(divisor[j], i));
+            const Vec<U64> next = hn::Sub(rest[j], hn::ShiftRightSame(divisor[j], i));
             const Vec<U64> flipped = sign_of(next);
             rest[j] = hn::Xor(next, flipped);
             negative[j] = hn::Xor(negative[j], flipped);
@@ -88,8 +88,8 @@ HWY_INLINE Batch divide(const Batch& numerator, const DerivativeBatch& derivativ
             hn::Shr(quotient, hn::And(hn::Sub(hn::Zero(U64()), shift[j]), Set<U64>(63)));
         Vec<U64> up = hn::Shl(quotient, hn::And(shift[j], Set<U64>(63)));
         if (scale > 0)
-            up = select(greater(shift[j], Set<U64>(3)), Set<U64>(unit << 4), up);
-        result[j] = select(right, hn::AndNot(vanished, down), up);
+            up = hn::IfVecThenElse(greater(shift[j], Set<U64>(3)), Set<U64>(unit << 4), up);
+        result[j] = hn::IfVecThenElse(right, hn::AndNot(vanished, down), up);
     }
     return result;
 }

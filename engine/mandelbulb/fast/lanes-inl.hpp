@@ -53,25 +53,7 @@ HWY_INLINE Vec<U64> greater(Vec<U64> a, Vec<U64> b)
     return hn::BitCast(U64(), hn::VecFromMask(d, hn::Gt(hn::BitCast(d, a), hn::BitCast(d, b))));
 }
 
-/// a == b: all ones or 0.
-HWY_INLINE Vec<U64> equal(Vec<U64> a, Vec<U64> b)
-{
-    return hn::VecFromMask(U64(), hn::Eq(a, b));
-}
-
-/// yes where `mask` is all ones, else no.
-HWY_INLINE Vec<U64> select(Vec<U64> mask, Vec<U64> yes, Vec<U64> no)
-{
-    return hn::IfVecThenElse(mask, yes, no);
-}
-
-/// v >> bits for every lane, zeros from above; bits 0 to 63.
-HWY_INLINE Vec<U64> shift_right(Vec<U64> v, int bits)
-{
-    return hn::ShiftRightSame(v, bits);
-}
-
-/// Whether a signed number is shifted right as fast as an unsigned one.
+/// True if a signed number is shifted right as fast as an unsigned one.
 inline constexpr bool shifts_signed = HWY_TARGET <= HWY_AVX3 || HWY_TARGET == HWY_NEON;
 
 HWY_INLINE Vec<U64> shift_right_signed(Vec<U64> v, int bits)
@@ -86,7 +68,7 @@ struct DoubleWord
     Vec<U64> low;
 };
 
-HWY_INLINE Vec<U64> multiply_halves(Vec<U64> a, Vec<U64> b) ///< of the lower halves
+HWY_INLINE Vec<U64> multiply_halves(Vec<U64> a, Vec<U64> b) ///< multiplies the lower halves
 {
     const hn::Repartition<std::uint32_t, U64> d32;
     return hn::BitCast(U64(), hn::MulEven(hn::BitCast(d32, a), hn::BitCast(d32, b)));

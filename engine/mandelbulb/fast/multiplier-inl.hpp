@@ -43,7 +43,7 @@ HWY_INLINE Vec<U64> keep(Vec<U64> a, int kept)
 {
     if (kept >= all_bits)
         return a;
-    const Vec<U64> above = shift_right(a, kept);
+    const Vec<U64> above = hn::ShiftRightSame(a, kept);
     if (hn::AllTrue(U64(), hn::Eq(above, hn::Zero(U64()))))
         return a;
     const Vec<U64> cleared = kept >= 48   ? filled<16>(above)
@@ -52,13 +52,13 @@ HWY_INLINE Vec<U64> keep(Vec<U64> a, int kept)
     return hn::AndNot(cleared, a);
 }
 
-/// Of what keep() has left of the factors.
+/// The factors are what keep() has left of them.
 HWY_INLINE Vec<U64> kept_product(Vec<U64> a, Vec<U64> b)
 {
     return shifted<unit_bits>(multiply(a, b));
 }
 
-/// As Powers; of the lower one what keep() leaves, which is all that the derivative takes.
+/// These are Powers, but keep() has cut the lower one: the derivative takes no more of it.
 struct PowersBatch
 {
     Batch kept_lower;
@@ -118,7 +118,7 @@ HWY_INLINE DerivativeBatch next_derivative(const DerivativeBatch& dr, const Batc
             hn::Add(multiply_halves(hn::ShiftRight<unit_bits>(whole.high), factor),
                     hn::Add(hn::ShiftRight<32>(second), carry));
         if (form == DerivativeForm::Saturating) {
-            const Vec<U64> fits = equal(overflow, hn::Zero(U64()));
+            const Vec<U64> fits = hn::VecFromMask(U64(), hn::Eq(overflow, hn::Zero(U64())));
             next.mantissa[j] = hn::Or(hn::Not(fits), sum);
             next.fraction_bits[j] = fraction;
         } else {

@@ -74,7 +74,7 @@ struct Ray
     std::size_t pixel;
 };
 
-/// What all rays share.
+/// All rays share these numbers.
 template <typename Format>
 struct Course
 {

@@ -132,7 +132,7 @@ HWY_INLINE Wide falling_entries(Vec<U32> index)
 #endif
 }
 
-/// As InverseSqrt, without the shift, which each use has its own way to come by.
+/// Computes InverseSqrt without its shift, which each use finds in its own way.
 HWY_INLINE Wide mantissa(const Normalised& n)
 {
     using namespace inverse_sqrt_table;

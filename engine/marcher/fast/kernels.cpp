@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/marcher/fast/kernels.hpp"
+#include "engine/fast/kernels.hpp"
 
 #include "engine/fast/targets.hpp"
 
@@ -15,17 +15,5 @@
 
 #if HWY_ONCE
 #include "engine/fast/kernel_table.hpp"
-
-#include <array>
-
-namespace raymarch::engine::marcher::fast
-{
-
-std::span<const Kernel> kernels() noexcept
-{
-    static constexpr std::array table = {RAYMARCH_KERNELS(draw)};
-    return table;
-}
-
-} // namespace raymarch::engine::marcher::fast
+RAYMARCH_DEFINE_KERNELS(marcher)
 #endif

@@ -68,7 +68,7 @@ HWY_INLINE Points position(const Points& eye, const Rays& rays, std::size_t at, 
 
 enum class Counting : bool { Off, On };
 
-/// What all rays have in common.
+/// All rays have these in common.
 struct View
 {
     Points eye;

@@ -197,7 +197,7 @@ class RegionDrawing
     Points light_;
     Vec<I32> first_t_{};
     Pool pool_;
-    // What the pool's rays have come to, by the slots that they were given in turn.
+    // The pool's rays have come to this, by the slots that they were given in turn.
     std::array<std::uint32_t, Rays::capacity> colours_;
     std::array<std::int32_t, Rays::capacity> queries_; ///< where they are counted
     std::array<Run, 64> runs_;
@@ -232,9 +232,9 @@ void draw_scene(const Frame& frame, const Region& region, const Canvas& canvas) 
 }
 
 /// See Kernel.
-void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept
+void draw(const Picture& picture, const Region& region, const Canvas& canvas) noexcept
 {
-    const Frame frame = latch(words);
+    const auto& frame = frame_of<Frame>(picture);
     if (canvas.costs.empty())
         draw_scene<Counting::Off>(frame, region, canvas);
     else

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The pixels of both designs in vectors, as rtl_pixel.cpp, prototype_pixel.cpp and sphere.cpp have
 // them. Highway compiles this file once for each instruction set.
-#include "engine/sphere/fast/kernels.hpp"
+#include "engine/fast/kernels.hpp"
 
 #include "engine/fast/targets.hpp"
 #include "engine/sphere/fast/silhouette.hpp"
 #include "engine/sphere/frame.hpp"
-#include "engine/sphere/prototype_pixel.hpp"
 #include "engine/sphere/ray_sphere_unit.hpp"
 #include "engine/sphere/rtl_pixel.hpp"
+#include "engine/sphere/sphere.hpp"
 #include "engine/sphere/timeline.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -37,10 +37,10 @@ struct Place
     std::size_t count;
 };
 
-/// Where in a row each ball may be seen.
+/// The columns of a row in which each ball may be seen.
 using Seen = std::array<Span, max_balls>;
 
-/// What all pixels of a region share.
+/// All pixels of a region share these numbers.
 struct Scene
 {
     Frame frame; ///< held
@@ -128,23 +128,26 @@ HWY_INLINE Shown rtl_pixels(const Scene& scene, const Points& target)
     return shown;
 }
 
-/// prototype_pixel().
+/// The rays of a vector see these balls.
+struct Sight
+{
+    Mask<F64> visible; ///< the rays that see one
+    Vec<F64> ball;     ///< its index
+    Points point;
+};
+
+/// Also takes from shown.exact the rays whose numbers are not.
 template <RuleSet rules>
-HWY_INLINE Shown prototype_pixels(const Scene& scene, const Points& target, const Seen& seen,
-                                  const Place& place)
+HWY_INLINE Sight look(const Scene& scene, const Points& target, const Seen& seen,
+                      const Place& place, Shown& shown)
 {
     const F64 d;
     const Frame& frame = scene.frame;
     constexpr bool nearest = rules == RuleSet::Corrected;
-    Mask<F64> visible = hn::MaskFromVec(Set<F64>(0));
-    Vec<F64> ball = Set<F64>(0);
-    Vec<F64> root = Set<F64>(0);
+    Mask<F64> visible = hn::MaskFromVec(hn::Zero(d));
+    Vec<F64> ball = hn::Zero(d);
+    Vec<F64> root = hn::Zero(d);
     Points point = scene.eye;
-    Shown shown;
-    shown.exact = hn::Not(visible);
-    shown.steps = Set<F64>(static_cast<std::int64_t>(frame.ball_count));
-    shown.rays = Set<F64>(1);
-    shown.colour.fill(Set<F64>(0));
     const auto first_column = static_cast<std::int32_t>(place.first);
     const auto last_column = static_cast<std::int32_t>(place.first + (lanes<F64> - 1) * place.step);
     for (std::size_t i = 0; i < frame.ball_count; ++i) {
@@ -159,31 +162,38 @@ HWY_INLINE Shown prototype_pixels(const Scene& scene, const Points& target, cons
         const Mask<F64> nearer =
             nearest ? hn::Or(first, hn::And(strikes.hits, hn::Lt(strikes.root, root)))
                     : strikes.hits;
-        ball = hn::IfThenElse(nearest ? nearer : first, Set<F64>(static_cast<std::int64_t>(i)), ball);
+        ball =
+            hn::IfThenElse(nearest ? nearer : first, Set<F64>(static_cast<std::int64_t>(i)), ball);
         root = hn::IfThenElse(nearer, strikes.root, root);
         point = {hn::IfThenElse(nearer, strikes.point.x, point.x),
                  hn::IfThenElse(nearer, strikes.point.y, point.y),
                  hn::IfThenElse(nearer, strikes.point.z, point.z)};
         visible = hn::Or(visible, strikes.hits);
     }
-    if (hn::AllFalse(d, visible))
-        return shown;
+    return {visible, ball, point};
+}
 
+/// The light that the balls' points receive. Also counts the steps of the search for it.
+template <RuleSet rules>
+HWY_INLINE Vec<F64> received_light(const Frame& frame, const Sight& sight, Shown& shown)
+{
+    const F64 d;
+    constexpr bool nearest = rules == RuleSet::Corrected;
     constexpr std::int64_t white = 255;
     Vec<F64> brightness = Set<F64>(0);
     for (std::size_t j = 0; j < frame.light_count; ++j) {
         const Light& light = frame.lights[j];
-        Mask<F64> open = visible;
+        Mask<F64> open = sight.visible;
         for (std::size_t i = 0; i < frame.ball_count; ++i) {
-            const Strikes way =
-                towards<rules>(points(light.position), point, frame.balls[i], frame.derounder);
+            const Strikes way = towards<rules>(points(light.position), sight.point, frame.balls[i],
+                                               frame.derounder);
             shown.steps = hn::Add(shown.steps, hn::IfThenElseZero(open, Set<F64>(1)));
             shown.exact = hn::And(shown.exact, hn::Or(way.exact, hn::Not(open)));
             open = hn::AndNot(way.hits, open);
             if (hn::AllFalse(d, open))
                 break;
         }
-        const Points way = difference(points(light.position), point);
+        const Points way = difference(points(light.position), sight.point);
         const Vec<F64> squared = dot(way, way);
         const std::int64_t product = std::int64_t{light.strength} * frame.calibration;
         const Vec<F64> power = Set<F64>(nearest ? product : static_cast<std::int32_t>(product));
@@ -196,14 +206,33 @@ HWY_INLINE Shown prototype_pixels(const Scene& scene, const Points& target, cons
         const Vec<F64> low = hn::Sub(sum, hn::Mul(byte, hn::Floor(hn::Mul(sum, Set<F64>(0x1p-8)))));
         brightness = hn::IfThenElse(open, low, brightness);
     }
+    return brightness;
+}
+
+/// prototype_pixel().
+template <RuleSet rules>
+HWY_INLINE Shown prototype_pixels(const Scene& scene, const Points& target, const Seen& seen,
+                                  const Place& place)
+{
+    const Frame& frame = scene.frame;
+    Shown shown;
+    shown.exact = hn::Not(hn::MaskFromVec(hn::Zero(F64())));
+    shown.steps = Set<F64>(static_cast<std::int64_t>(frame.ball_count));
+    shown.rays = Set<F64>(1);
+    shown.colour.fill(Set<F64>(0));
+    const Sight sight = look<rules>(scene, target, seen, place, shown);
+    if (hn::AllFalse(F64(), sight.visible))
+        return shown;
+
+    const Vec<F64> brightness = received_light<rules>(frame, sight, shown);
     const Vec<F64> shadow = Set<F64>(frame.shadow);
     for (std::size_t i = 0; i < bytes_per_pixel; ++i) {
         const Vec<F64> own = hn::Max(brightness, shadow);
-        const auto here = hn::Eq(ball, Set<F64>(static_cast<std::int64_t>(i)));
-        shown.colour[i] = hn::IfThenElseZero(visible, hn::IfThenElse(here, own, shadow));
+        const auto here = hn::Eq(sight.ball, Set<F64>(static_cast<std::int64_t>(i)));
+        shown.colour[i] = hn::IfThenElseZero(sight.visible, hn::IfThenElse(here, own, shadow));
     }
-    shown.rays = hn::IfThenElse(visible, Set<F64>(1 + static_cast<std::int64_t>(frame.light_count)),
-                                shown.rays);
+    shown.rays = hn::IfThenElse(
+        sight.visible, Set<F64>(1 + static_cast<std::int64_t>(frame.light_count)), shown.rays);
     return shown;
 }
 
@@ -214,22 +243,11 @@ void draw_alone(const Frame& frame, const Place& place, const Canvas& canvas)
     const auto y = static_cast<std::int32_t>(place.y);
     for (std::size_t i = 0; i < place.count; ++i) {
         const std::size_t column = place.first + i * place.step;
-        const auto x = static_cast<std::int32_t>(column);
-        std::array<std::uint8_t, bytes_per_pixel> colour{};
-        PixelCost cost;
-        if (frame.design == Design::Prototype) {
-            const PrototypePixel pixel = prototype_pixel(frame, x, y);
-            colour = pixel.colour;
-            cost = {.steps = pixel.evaluations, .rays = pixel.rays};
-        } else {
-            const RtlPixel pixel = rtl_pixel(frame, x, y);
-            const auto bright = static_cast<std::uint8_t>(17 * pixel.value);
-            colour = {bright, bright, frame.tint == Tint::Grey ? bright : std::uint8_t{0}};
-            cost = {.steps = row_of(pixel.outcome).period, .rays = row_of(pixel.outcome).rays};
-        }
-        std::copy(colour.begin(), colour.end(), &canvas.rgb[bytes_per_pixel * (row + column)]);
+        const Pixel pixel = draw_pixel(frame, static_cast<std::int32_t>(column), y);
+        std::copy(pixel.colour.begin(), pixel.colour.end(),
+                  &canvas.rgb[bytes_per_pixel * (row + column)]);
         if (!canvas.costs.empty())
-            canvas.costs[row + column] = cost;
+            canvas.costs[row + column] = pixel.cost;
     }
 }
 
@@ -325,9 +343,9 @@ void draw_region(const Frame& frame, const Region& region, const Canvas& canvas)
     }
 }
 
-void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept
+void draw(const Picture& picture, const Region& region, const Canvas& canvas) noexcept
 {
-    const Frame frame = held(latch(words));
+    const Frame frame = held(frame_of<Frame>(picture));
     const bool corrected = frame.faults == Faults::Corrected;
     if (frame.design == Design::Prototype)
         return corrected ? draw_region<RuleSet::Corrected, true>(frame, region, canvas)
@@ -345,21 +363,12 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include "engine/fast/kernel_table.hpp"
-
-#include <array>
-
-namespace raymarch::engine::sphere::fast
+#if HWY_ARCH_ARM_V7 // its vectors have no double
+std::span<const raymarch::engine::Kernel> raymarch::engine::sphere::fast::kernels() noexcept
 {
-
-std::span<const Kernel> kernels() noexcept
-{
-#if HWY_ARCH_ARM_V7
-    return {}; // its vectors have no double
-#else
-    static constexpr std::array table = {RAYMARCH_KERNELS(draw)};
-    return table;
-#endif
+    return {};
 }
-
-} // namespace raymarch::engine::sphere::fast
+#else
+RAYMARCH_DEFINE_KERNELS(sphere)
+#endif
 #endif

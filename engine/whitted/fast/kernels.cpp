@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/whitted/fast/kernels.hpp"
+#include "engine/fast/kernels.hpp"
 #include "engine/fast/targets.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -14,15 +14,5 @@
 
 #if HWY_ONCE
 #include "engine/fast/kernel_table.hpp"
-
-namespace raymarch::engine::whitted::fast
-{
-
-std::span<const Kernel> kernels() noexcept
-{
-    static constexpr std::array all = {RAYMARCH_KERNELS(draw)};
-    return all;
-}
-
-} // namespace raymarch::engine::whitted::fast
+RAYMARCH_DEFINE_KERNELS(whitted)
 #endif

@@ -30,13 +30,13 @@ struct Triple
     Vec<I32> x, y, z;
 };
 
-/// The same as floating point.
+/// Three estimates a lane.
 struct Real3
 {
     Vec<F32> x, y, z;
 };
 
-/// Of words and sums of two: exact.
+/// The conversion of words and of sums of two is exact.
 HWY_INLINE Vec<F32> real(Vec<I32> a)
 {
     return hn::ConvertTo(F32(), a);

@@ -161,9 +161,9 @@ void draw_profile(const Scene& scene, const Region& region, const Canvas& canvas
 }
 
 /// See Kernel.
-void draw(WordSpan parameter_words, const Region& region, const Canvas& canvas) noexcept
+void draw(const Picture& picture, const Region& region, const Canvas& canvas) noexcept
 {
-    const Scene scene = make_scene(latch(parameter_words));
+    const Scene scene = make_scene(frame_of<Frame>(picture));
     if (drawn_without_rays(scene, region, canvas))
         return;
     if (scene.frame.defects == Defects(Profile::Measured))

@@ -26,7 +26,7 @@ struct PlaneHit
     Vec<I32> cycles;
 };
 
-/// Of a point that is a word.
+/// The point must be a word.
 HWY_INLINE Mask<I32> within_limits(const Plane& plane, const Triple& point)
 {
     const auto axis = [](Vec<I32> c, std::uint16_t limit) {

@@ -123,7 +123,7 @@ HWY_INLINE Approached approach(const SphereColumns& spheres, std::size_t i, cons
     return exact;
 }
 
-/// Where the ray begins inside the sphere: L < r^2.
+/// The rays that begin inside the sphere: L < r^2.
 HWY_INLINE Mask<I32> from_inside(const SphereColumns& spheres, std::size_t i, const Estimate& to,
                                  const Approached& exact)
 {
@@ -141,7 +141,7 @@ struct SphereHit
     Vec<I32> cycles;
 };
 
-/// What a distance is compared by: `measured` takes it as unsigned (R3).
+/// Distances are compared by this key: `measured` takes them as unsigned (R3).
 template <typename R>
 HWY_INLINE Vec<I32> key_of(Vec<I32> distance)
 {
