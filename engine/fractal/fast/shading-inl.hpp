@@ -29,7 +29,7 @@ inline constexpr int queries_shift = 8;
 /// brick() in lanes of 16 bits; of the positions only the lowest 13 bits count, which are 16 bits
 /// after the scaling.
 template <class D, class V = Vec<D>>
-HWY_INLINE V brick(D d, V x, V y, V z, V depth)
+HWY_INLINE V brick(D /*d*/, V x, V y, V z, V depth)
 {
     // |c - half| > tenth: c is not in the tenths beside the middle.
     const auto beyond_joint = [&](V c) {
