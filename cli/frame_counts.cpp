@@ -37,9 +37,7 @@ std::uint64_t sum_of(const CountedFrame& frame, std::uint32_t engine::PixelCost:
 CountedView count(const engine::Model& model, const protocol::Words& words,
                   protocol::PictureSize size, std::optional<std::uint32_t> number, unsigned threads)
 {
-    const unsigned frames = number || model.frames_of_a_still == nullptr
-                                ? 1
-                                : std::max(model.frames_of_a_still(words), 1U);
+    const unsigned frames = number ? 1 : engine::frames_of_a_still(model, words);
     CountedView view{.model = &model, .words = words, .size = size, .frames = {}};
     engine::Image image(size);
     engine::Painter painter(threads);
@@ -66,9 +64,7 @@ std::string text_of(Mean mean)
 Mean rays(const CountedView& view)
 {
     return mean_of(view, [&](const CountedFrame& frame) {
-        return view.model->frame_rays == nullptr
-                   ? sum_of(frame, &engine::PixelCost::rays)
-                   : view.model->frame_rays(view.words, view.size, frame.costs);
+        return view.model->latch(view.words)->rays(view.size, frame.costs);
     });
 }
 
@@ -82,8 +78,8 @@ Mean cycles(const CountedView& view, unsigned units)
 {
     const auto last = static_cast<std::uint16_t>(view.size.height - 1);
     return mean_of(view, [&](const CountedFrame& frame) {
-        return view.model->frame_cycles(view.words, {view.size, last, frame.number}, frame.costs,
-                                        units);
+        return view.model->latch(view.words)
+            ->cycles({view.size, last, frame.number}, frame.costs, units);
     });
 }
 

@@ -28,8 +28,8 @@ struct sigaction previous = {};
 /// The most signals without an address that are ignored in a second. A person or a script sends a
 /// few. A fault that repeats each time the handler returns raises a million.
 constexpr unsigned max_ignored = 1000;
-std::atomic<unsigned> ignored_second = 0; // NOLINT: a signal handler has no other state
-std::atomic<unsigned> ignored = 0;        // NOLINT: a signal handler has no other state
+std::atomic<unsigned> ignored_second = 0;  // NOLINT: a signal handler has no other state
+std::atomic<unsigned> ignored_signals = 0; // NOLINT: a signal handler has no other state
 static_assert(std::atomic<unsigned>::is_always_lock_free, "the handler may not lock");
 
 /// A signal from kill(2) has a code of at most 0, and so has an external abort on ARM. An imprecise
@@ -44,8 +44,8 @@ bool may_be_ignored(const siginfo_t& info) noexcept
     ::clock_gettime(CLOCK_MONOTONIC, &now);
     const auto second = static_cast<unsigned>(now.tv_sec);
     if (ignored_second.exchange(second) != second)
-        ignored = 0;
-    return ++ignored <= max_ignored;
+        ignored_signals = 0;
+    return ++ignored_signals <= max_ignored;
 }
 
 /// Makes only calls that are safe in a signal handler; mmap() is a plain system call.

@@ -235,7 +235,7 @@ void EmulatedBlock::draw(engine::Painter& painter, const engine::Drawing& drawin
                          std::uint32_t number, engine::Image& image, const std::stop_token& stop)
 {
     using Clock = std::chrono::steady_clock;
-    if (options_.patience && engine::frames_of_a_still(drawing.model, drawing.words) == 1) {
+    if (options_.patience && drawing.picture->frames() == 1) {
         const auto start = Clock::now();
         painter.draw(drawing, engine::region_of(engine::passes[0], image.size, number),
                      {image.rgb, costs_}, stop);
@@ -269,8 +269,8 @@ void EmulatedBlock::draw_in_passes(engine::Painter& painter, const engine::Drawi
         if (latch_)
             frame_.request_stop();
     }
-    if (drawing.model.finish != nullptr && !stop.stop_requested())
-        drawing.model.finish(drawing.words, canvas);
+    if (!stop.stop_requested())
+        drawing.picture->complete(canvas);
 }
 
 void EmulatedBlock::work(const std::stop_token& stop)

@@ -9,18 +9,17 @@ namespace raymarch::engine
 const Kernel* kernel_of(const Model& model, std::optional<Isa> isa) noexcept
 {
     const Kernel* best = nullptr;
-    if (model.kernels != nullptr)
-        for (const Kernel& kernel : model.kernels())
-            if (kernel.draw != nullptr && supported(kernel.isa) &&
-                (isa ? kernel.isa == *isa : best == nullptr || best->isa < kernel.isa))
-                best = &kernel;
+    for (const Kernel& kernel : model.kernels())
+        if (kernel.draw != nullptr && supported(kernel.isa) &&
+            (isa ? kernel.isa == *isa : best == nullptr || best->isa < kernel.isa))
+            best = &kernel;
     return best;
 }
 
 void draw_frame(Painter& painter, const Drawing& drawing, const Region& region,
                 const Canvas& canvas, const std::stop_token& stop)
 {
-    if (drawing.model.finish == nullptr) {
+    if (!drawing.model.ordered) {
         painter.draw(drawing, region, canvas, stop);
         return;
     }
@@ -29,7 +28,7 @@ void draw_frame(Painter& painter, const Drawing& drawing, const Region& region,
     const Canvas to{canvas.rgb, costs.empty() ? canvas.costs : std::span(costs)};
     painter.draw(drawing, whole(region.size, region.frame), to, stop);
     if (!stop.stop_requested())
-        drawing.model.finish(drawing.words, to);
+        drawing.picture->complete(to);
 }
 
 std::vector<PixelCost> draw(const Model& model, WordSpan words, Image& image, unsigned threads,
@@ -43,7 +42,7 @@ std::vector<PixelCost> draw(const Model& model, WordSpan words, Image& image, un
 
 void draw_still(Painter& painter, const Drawing& drawing, const Region& tile, Image& image)
 {
-    const unsigned frames = frames_of_a_still(drawing.model, drawing.words);
+    const unsigned frames = drawing.picture->frames();
     Image other(frames > 1 ? image.size : PictureSize{});
     for (unsigned frame = 0; frame < frames; ++frame) {
         if (frame > 0)
@@ -58,7 +57,7 @@ std::uint64_t frame_cycles(const Model& model, WordSpan words, PictureSize size,
                            std::uint32_t frame, std::span<const PixelCost> costs)
 {
     const auto last = static_cast<std::uint16_t>(size.height - 1);
-    return model.frame_cycles(words, {size, last, frame}, costs, model.description->ray_units);
+    return model.latch(words)->cycles({size, last, frame}, costs, model.description->ray_units);
 }
 
 } // namespace raymarch::engine

@@ -32,7 +32,7 @@ std::vector<PixelCost> draw(const Model& model, WordSpan words, Image& image, un
 /// How many frames of these words it takes until the picture is complete.
 [[nodiscard]] inline unsigned frames_of_a_still(const Model& model, WordSpan words) noexcept
 {
-    return model.frames_of_a_still == nullptr ? 1 : model.frames_of_a_still(words);
+    return model.latch(words)->frames();
 }
 
 /// Draws as many frames as a still of these words takes, from number 0 on, into two buffers that

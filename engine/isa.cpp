@@ -6,8 +6,8 @@ namespace raymarch::engine
 namespace
 {
 
-// What Highway's targets of these names are compiled for (hwy/ops/set_macros-inl.h); its own answer
-// would take its library, which measures the processor's clock at the start of each program.
+// Highway's targets of these names are compiled for these sets (hwy/ops/set_macros-inl.h); its own
+// answer would take its library, which measures the processor's clock at the start of each program.
 #if defined(__x86_64__) || defined(__i386__)
 bool runs_sse4() noexcept
 {

@@ -22,7 +22,7 @@ enum class Isa : std::uint8_t {
 struct IsaRow
 {
     Isa isa;
-    std::string_view name; ///< as `--isa` takes it
+    std::string_view name; ///< `--isa` takes it
 };
 inline constexpr std::array isa_rows = {
     IsaRow{Isa::Scalar, "scalar"}, IsaRow{Isa::Sse4, "sse4"},     IsaRow{Isa::Neon, "neon"},
@@ -42,7 +42,7 @@ inline constexpr std::array isa_rows = {
     return std::nullopt;
 }
 
-/// Whether this processor, and its operating system, run it.
+/// Says whether this processor and its operating system run it.
 [[nodiscard]] bool supported(Isa isa) noexcept;
 
 } // namespace raymarch::engine

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <string_view>
 
@@ -40,13 +41,13 @@ struct RowOf
 /// Which pixels of which picture: (x + i * step, y + j * step) inside a rectangle.
 struct Region
 {
-    PictureSize size;    ///< of the whole picture
+    PictureSize size;    ///< the whole picture's
     std::uint16_t x = 0; ///< the rectangle, inside the picture
     std::uint16_t y = 0;
     std::uint16_t width;
     std::uint16_t height;
     std::uint16_t step = 1;
-    std::uint32_t frame = 0; ///< as in RowOf
+    std::uint32_t frame = 0; ///< see RowOf
 };
 
 [[nodiscard]] constexpr Region whole(PictureSize size, std::uint32_t frame = 0) noexcept
@@ -54,7 +55,7 @@ struct Region
     return {.size = size, .width = size.width, .height = size.height, .frame = frame};
 }
 
-/// What one pixel costs the source's hardware. The unit of `steps` is the model's own: scene
+/// A pixel's cost in the source's hardware. The unit of `steps` is the model's own: scene
 /// queries, evaluations of a distance, or clock cycles.
 struct PixelCost
 {
@@ -63,12 +64,65 @@ struct PixelCost
     bool operator==(const PixelCost&) const = default;
 };
 
-/// Where pixels go: the whole picture, whatever part of it is drawn.
+/// Pixels go here. It holds the whole picture, whatever part of it is drawn.
 struct Canvas
 {
     std::span<std::uint8_t> rgb;  ///< 3 bytes a pixel, rows from the top
     std::span<PixelCost> costs{}; ///< one a pixel; empty: not wanted
 };
+
+/// A picture whose words are latched: they are decoded once, however many rows and frames are
+/// drawn. Pure: the same arguments give the same bytes, on every machine and from any number of
+/// threads.
+class Picture
+{
+  public:
+    Picture() = default;
+    Picture(const Picture&) = delete;
+    Picture& operator=(const Picture&) = delete;
+    virtual ~Picture() = default;
+
+    /// Draws one row, or the columns of it that are asked for, by the plain scalar model, which is
+    /// the definition of the bits: `pixels` holds 3 * width bytes, `costs` width of them. A pixel
+    /// that this frame does not draw keeps its bytes (an accelerator with two buffers: those of two
+    /// frames before) and costs nothing.
+    virtual void draw(RowOf row, std::span<std::uint8_t> pixels,
+                      std::span<PixelCost> costs) const noexcept = 0;
+
+    /// Changes what depends on the order of the pixels. It is called once, from one thread, when
+    /// all rows of a picture are drawn.
+    virtual void complete(const Canvas& canvas) const noexcept = 0;
+
+    /// The clock cycles that `units` ray units of the source's hardware take for the frame that
+    /// cost `costs`, rows from the top.
+    [[nodiscard]] virtual std::uint64_t cycles(RowOf last_row, std::span<const PixelCost> costs,
+                                               unsigned units) const noexcept = 0;
+
+    /// The rays of the frame that cost `costs`, those of pixels that the hardware draws beyond the
+    /// picture among them.
+    [[nodiscard]] virtual std::uint64_t rays(PictureSize size,
+                                             std::span<const PixelCost> costs) const noexcept = 0;
+
+    /// How many frames it takes until the picture is complete.
+    [[nodiscard]] virtual unsigned frames() const noexcept = 0;
+};
+
+/// A picture that was latched to an accelerator's `Frame`.
+template <class Frame>
+class PictureOf : public Picture
+{
+  public:
+    explicit PictureOf(const Frame& latched) : frame(latched) {}
+
+    const Frame frame; // NOLINT(*-const-or-ref-data-members): a picture is not copied
+};
+
+/// The picture must be a PictureOf<Frame>.
+template <class Frame>
+[[nodiscard]] const Frame& frame_of(const Picture& picture) noexcept
+{
+    return static_cast<const PictureOf<Frame>&>(picture).frame;
+}
 
 /// A second way to the same bytes and costs, in the vectors of one instruction set. Where costs are
 /// not wanted it may leave out what serves them alone.
@@ -76,42 +130,18 @@ struct Kernel
 {
     Isa isa;
     /// Draws the pixels of `region`; keeps all others, and those that this frame does not draw.
-    void (*draw)(WordSpan words, const Region& region, const Canvas& canvas) noexcept;
+    void (*draw)(const Picture& picture, const Region& region, const Canvas& canvas) noexcept;
 };
 
-/// One accelerator's computation. Pure: the same arguments give the same bytes, on every machine
-/// and from any number of threads.
+/// One accelerator's computation.
 struct Model
 {
     const protocol::Accelerator* description;
-    std::string_view steps; ///< what PixelCost counts, in the plural
-
-    /// Draws one row, or the columns of it that are asked for, by the plain scalar model, which is
-    /// the definition of the bits: `pixels` holds 3 * width bytes, `costs` width of them. A pixel
-    /// that this frame does not draw keeps its bytes (an accelerator with two buffers: those of two
-    /// frames before) and costs nothing.
-    void (*draw_row)(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
-                     std::span<PixelCost> costs) noexcept;
-
-    /// The clock cycles that `units` ray units of the source's hardware take for the frame that
-    /// cost `costs`, rows from the top.
-    std::uint64_t (*frame_cycles)(WordSpan words, RowOf last_row, std::span<const PixelCost> costs,
-                                  unsigned units) noexcept;
-
-    /// Where the value of a pixel depends on those drawn before it: called once behind the last
-    /// row, from one thread. nullptr where no pixel does.
-    void (*finish)(WordSpan words, const Canvas& canvas) noexcept = nullptr;
-
-    /// How many frames of the same words it takes until the picture is complete; nullptr: one.
-    unsigned (*frames_of_a_still)(WordSpan words) noexcept = nullptr;
-
-    /// The rays of the frame that cost `costs`, where the hardware also draws pixels beyond the
-    /// picture; nullptr: the sum of the costs'.
-    std::uint64_t (*frame_rays)(WordSpan words, PictureSize size,
-                                std::span<const PixelCost> costs) noexcept = nullptr;
-
-    /// The kernels that were compiled; those whose `draw` is nullptr were not. nullptr: none.
-    std::span<const Kernel> (*kernels)() noexcept = nullptr;
+    std::string_view steps; ///< names in the plural what PixelCost counts
+    std::unique_ptr<const Picture> (*latch)(WordSpan words);
+    /// The kernels of all instruction sets. The `draw` of those that were not compiled is nullptr.
+    std::span<const Kernel> (*kernels)() noexcept;
+    bool ordered = false; ///< pixels may depend on those drawn before: pictures are drawn whole
 };
 
 } // namespace raymarch::engine

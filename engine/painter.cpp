@@ -35,8 +35,8 @@ void draw_by_reference(const Drawing& drawing, const Region& region, const Canva
                           region.step};
     const std::size_t width = region.size.width;
     for (unsigned y = region.y; y < unsigned{region.y} + region.height; y += region.step)
-        drawing.model.draw_row(
-            drawing.words, {region.size, static_cast<std::uint16_t>(y), region.frame, columns},
+        drawing.picture->draw(
+            {region.size, static_cast<std::uint16_t>(y), region.frame, columns},
             canvas.rgb.subspan(bytes_per_pixel * width * y, bytes_per_pixel * width),
             canvas.costs.subspan(width * y, width));
 }
@@ -88,7 +88,7 @@ void Painter::draw(const Drawing& drawing, const Region& region, const Canvas& c
         if (drawing.kernel == nullptr)
             draw_by_reference(drawing, band, to);
         else
-            drawing.kernel->draw(drawing.words, band, to);
+            drawing.kernel->draw(*drawing.picture, band, to);
     });
 }
 

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <stop_token>
 #include <thread>
 #include <utility>
@@ -16,12 +17,13 @@
 namespace raymarch::engine
 {
 
-/// What is drawn, and by which of the ways to the same bytes.
+/// Names what is drawn, and which of the ways to the same bytes draws it.
 struct Drawing
 {
     const Model& model;
     WordSpan words;
     const Kernel* kernel = nullptr; ///< nullptr: the reference
+    std::unique_ptr<const Picture> picture = model.latch(words);
 };
 
 /// Draws one picture at a time; used from one thread.
@@ -41,7 +43,7 @@ class Painter
 
     /// Draws the region's pixels: the same bytes for any number of threads. When a stop is
     /// requested the picture is left unfinished, at the latest one band of rows a thread later.
-    /// Model::finish is the caller's.
+    /// Picture::complete is the caller's.
     void draw(const Drawing& drawing, const Region& region, const Canvas& canvas,
               const std::stop_token& stop = {});
 

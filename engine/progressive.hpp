@@ -22,7 +22,7 @@ struct Pass
     std::uint16_t grid; ///< with it every pixel of a grid this wide is drawn; 0: not yet
 };
 
-/// Of the grid before a pass group, what lies between: on the rows, on the columns, on neither.
+/// A group's passes draw what lies between the grid before it: on rows, on columns, on neither.
 inline constexpr std::array passes = {
     Pass{0, 0, 8, 8},                                     //
     Pass{4, 0, 8, 0}, Pass{0, 4, 8, 0}, Pass{4, 4, 8, 4}, //
@@ -47,7 +47,7 @@ inline constexpr unsigned first_pass_share = passes[0].step * passes[0].step;
             .frame = frame};
 }
 
-/// What to show of a picture of which a grid has been drawn: each of its pixels as a square.
+/// Shows a picture of which a grid has been drawn: each of its pixels becomes a square.
 /// `shown` has the size of `drawn`.
 inline void spread(const Image& drawn, unsigned grid, Image& shown) noexcept
 {

@@ -24,7 +24,7 @@ struct Vec3
     bool operator==(const Vec3&) const = default;
 };
 
-/// The same function on each component.
+/// Applies the function to each component.
 template <typename T, typename Function>
 [[nodiscard]] constexpr auto map(const Vec3<T>& v, Function function) noexcept
 {

@@ -24,7 +24,7 @@ class TemporaryFolder
     [[nodiscard]] static Result<TemporaryFolder> make(const std::string& path)
     {
         auto name = raymarch::make_temporary(
-            path, [](const std::string& name) { return ::mkdir(name.c_str(), 0777) == 0; });
+            path, [](const std::string& made) { return ::mkdir(made.c_str(), 0777) == 0; });
         if (!name)
             return fail(name.error());
         return TemporaryFolder(*std::move(name));

@@ -1,19 +1,34 @@
 // SPDX-License-Identifier: MIT
-// The stages of float composed, as the kernel's are: rays by rows, a pool at a time, sorted every
-// few steps, shaded where they end. Included by float_simd.cpp alone, once for each instruction
-// set: no include guard.
+/// @file
+/// The stages of float composed, as the kernel's are: rays by rows, a pool at a time, sorted every
+/// few steps, shaded where they end.
+#if defined(RAYMARCH_BENCH_ENGINES_FLOAT_REGION) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYMARCH_BENCH_ENGINES_FLOAT_REGION
+#undef RAYMARCH_BENCH_ENGINES_FLOAT_REGION
+#else
+#define RAYMARCH_BENCH_ENGINES_FLOAT_REGION
+#endif
+
+#include "engine/fast/compress-inl.hpp"
+#include "engine/marcher/fast/outline.hpp"
+#include "engine/marcher/fast/pixels-inl.hpp"
+#include "engine/marcher/ray_marcher.hpp"
+#include "engines/float_stages-inl.hpp"
+
+#include <algorithm>
+#include <array>
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::marcher::HWY_NAMESPACE
+namespace raymarch::engine::marcher::fast::HWY_NAMESPACE
 {
 
 /// Rays on their way from the front on, and those that have ended from the back on.
 struct FloatPool
 {
     static constexpr std::size_t capacity = 1024;
-    static constexpr std::size_t room = capacity + lanes;
-    using Column = std::array<float, room + lanes>;
-    using Slots = std::array<std::int32_t, room + lanes>;
+    static constexpr std::size_t room = capacity + lanes<I32>;
+    using Column = std::array<float, room + lanes<I32>>;
+    using Slots = std::array<std::int32_t, room + lanes<I32>>;
     struct Rays
     {
         alignas(64) Column x;
@@ -62,9 +77,9 @@ class FloatRegionDrawing
         pixels_.fill(begin, first, 0);
         pixels_.fill(begin + end, region_.size.width - end, 0);
         while (first < end) {
-            if (pool_.count + lanes > FloatPool::capacity || run_count_ == runs_.size())
+            if (pool_.count + lanes < I32 >> FloatPool::capacity || run_count_ == runs_.size())
                 finish_rays();
-            const std::size_t room = (FloatPool::capacity - pool_.count) / lanes * lanes;
+            const std::size_t room = (FloatPool::capacity - pool_.count) / lanes<I32> * lanes<I32>;
             const std::size_t count = std::min(end - first, room);
             runs_[run_count_++] = {begin + first, count};
             add_rays(static_cast<int>(first), y, count);
@@ -77,84 +92,85 @@ class FloatRegionDrawing
         const auto u = static_cast<float>(2 * x + 1 - region_.size.width);
         const auto v = static_cast<float>(region_.size.height - 1 - 2 * y);
         const auto f = static_cast<float>(region_.size.height);
-        const Floats columns = hn::Iota(FloatTag(), 0) * all(2.0F);
+        const Vec<F32> columns = hn::Iota(F32(), 0) * Set<F32>(2.0F);
         const auto component = [&](std::int32_t right, std::int32_t up,
                                    std::int32_t forward) HWY_ATTR {
-            return hn::MulAdd(columns, all(static_cast<float>(right)),
-                              all(u * static_cast<float>(right) + v * static_cast<float>(up) -
-                                  f * static_cast<float>(forward)));
+            return hn::MulAdd(columns, Set<F32>(static_cast<float>(right)),
+                              Set<F32>(u * static_cast<float>(right) + v * static_cast<float>(up) -
+                                       f * static_cast<float>(forward)));
         };
         FloatPoints next = {component(frame_.right.x, frame_.up.x, frame_.forward.x),
                             component(frame_.right.y, frame_.up.y, frame_.forward.y),
                             component(frame_.right.z, frame_.up.z, frame_.forward.z)};
-        const float stride = 2.0F * lanes;
-        const FloatPoints to_next = {all(stride * static_cast<float>(frame_.right.x)),
-                                     all(stride * static_cast<float>(frame_.right.y)),
-                                     all(stride * static_cast<float>(frame_.right.z))};
+        const float stride = 2.0F * lanes<I32>;
+        const FloatPoints to_next = {Set<F32>(stride * static_cast<float>(frame_.right.x)),
+                                     Set<F32>(stride * static_cast<float>(frame_.right.y)),
+                                     Set<F32>(stride * static_cast<float>(frame_.right.z))};
         FloatPool::Rays& rays = pool_.flying;
-        for (std::size_t at = pool_.count; at < pool_.count + count; at += lanes) {
+        for (std::size_t at = pool_.count; at < pool_.count + count; at += lanes<I32>) {
             const FloatPoints direction = normalise(next);
-            hn::StoreU(direction.x, FloatTag(), &rays.x[at]);
-            hn::StoreU(direction.y, FloatTag(), &rays.y[at]);
-            hn::StoreU(direction.z, FloatTag(), &rays.z[at]);
-            hn::StoreU(all(first_t_), FloatTag(), &rays.t[at]);
-            hn::StoreU(hn::Iota(IntTag(), static_cast<std::int32_t>(at)), IntTag(), &rays.slot[at]);
+            hn::StoreU(direction.x, F32(), &rays.x[at]);
+            hn::StoreU(direction.y, F32(), &rays.y[at]);
+            hn::StoreU(direction.z, F32(), &rays.z[at]);
+            hn::StoreU(Set<F32>(first_t_), F32(), &rays.t[at]);
+            hn::StoreU(hn::Iota(I32(), static_cast<std::int32_t>(at)), I32(), &rays.slot[at]);
             next = {next.x + to_next.x, next.y + to_next.y, next.z + to_next.z};
         }
         pool_.count += count;
     }
 
-    HWY_INLINE FloatPoints position(const FloatPool::Rays& rays, std::size_t at, Floats t) const
+    HWY_INLINE FloatPoints position(const FloatPool::Rays& rays, std::size_t at, Vec<F32> t) const
     {
-        return {hn::MulAdd(hn::LoadU(FloatTag(), &rays.x[at]), t, eye_.x),
-                hn::MulAdd(hn::LoadU(FloatTag(), &rays.y[at]), t, eye_.y),
-                hn::MulAdd(hn::LoadU(FloatTag(), &rays.z[at]), t, eye_.z)};
+        return {hn::MulAdd(hn::LoadU(F32(), &rays.x[at]), t, eye_.x),
+                hn::MulAdd(hn::LoadU(F32(), &rays.y[at]), t, eye_.y),
+                hn::MulAdd(hn::LoadU(F32(), &rays.z[at]), t, eye_.z)};
     }
 
     template <std::size_t group>
     HWY_INLINE void advance(std::size_t at, std::size_t& kept, int steps) noexcept
     {
-        Floats t[group];
-        Floats d[group];
+        Vec<F32> t[group];
+        Vec<F32> d[group];
         for (std::size_t i = 0; i < group; ++i)
-            t[i] = hn::LoadU(FloatTag(), &pool_.flying.t[at + i * lanes]);
-        const Floats surface = all(float_surface_distance);
+            t[i] = hn::LoadU(F32(), &pool_.flying.t[at + i * lanes<I32>]);
+        const Vec<F32> surface = Set<F32>(float_surface_distance);
         for (int s = 0; s < steps; ++s)
             for (std::size_t i = 0; i < group; ++i) {
-                d[i] = distance<Scene>(position(pool_.flying, at + i * lanes, t[i]));
+                d[i] = distance<Scene>(position(pool_.flying, at + i * lanes<I32>, t[i]));
                 t[i] = t[i] + hn::IfThenElseZero(d[i] >= surface, d[i]);
             }
         for (std::size_t i = 0; i < group; ++i) {
-            const std::size_t from = at + i * lanes;
-            const std::size_t valid = group == 1 ? std::min(pool_.count - from, lanes) : lanes;
+            const std::size_t from = at + i * lanes<I32>;
+            const std::size_t valid =
+                group == 1 ? std::min(pool_.count - from, lanes<I32>) : lanes<I32>;
             sort_out(from, valid, t[i], d[i], kept);
         }
     }
 
-    HWY_INLINE void sort_out(std::size_t from, std::size_t valid, Floats t, Floats d,
+    HWY_INLINE void sort_out(std::size_t from, std::size_t valid, Vec<F32> t, Vec<F32> d,
                              std::size_t& kept) noexcept
     {
         const auto goes_on =
-            hn::And(d >= all(float_surface_distance), t <= all(float_max_distance));
-        Chosen on = hn::RebindMask(IntTag(), goes_on);
-        if (valid < lanes)
-            on = hn::Or(on, hn::Not(hn::FirstN(IntTag(), valid)));
-        const Compaction compaction(on);
-        const std::size_t ended = pool_.first_ended - lanes;
-        const auto store = [&](Floats v, FloatPool::Column FloatPool::Rays::*column) HWY_ATTR {
-            const Floats sorted = hn::BitCast(FloatTag(), compaction(hn::BitCast(IntTag(), v)));
-            hn::StoreU(sorted, FloatTag(), &(pool_.flying.*column)[kept]);
-            hn::StoreU(sorted, FloatTag(), &(pool_.ended.*column)[ended]);
+            hn::And(d >= Set<F32>(float_surface_distance), t <= Set<F32>(float_max_distance));
+        Mask<I32> on = hn::RebindMask(I32(), goes_on);
+        if (valid < lanes<I32>)
+            on = hn::Or(on, hn::Not(hn::FirstN(I32(), valid)));
+        const Compress<I32> compress(on);
+        const std::size_t ended = pool_.first_ended - lanes<I32>;
+        const auto store = [&](Vec<F32> v, FloatPool::Column FloatPool::Rays::*column) HWY_ATTR {
+            const Vec<F32> sorted = hn::BitCast(F32(), compress(hn::BitCast(I32(), v)));
+            hn::StoreU(sorted, F32(), &(pool_.flying.*column)[kept]);
+            hn::StoreU(sorted, F32(), &(pool_.ended.*column)[ended]);
         };
-        store(hn::LoadU(FloatTag(), &pool_.flying.x[from]), &FloatPool::Rays::x);
-        store(hn::LoadU(FloatTag(), &pool_.flying.y[from]), &FloatPool::Rays::y);
-        store(hn::LoadU(FloatTag(), &pool_.flying.z[from]), &FloatPool::Rays::z);
+        store(hn::LoadU(F32(), &pool_.flying.x[from]), &FloatPool::Rays::x);
+        store(hn::LoadU(F32(), &pool_.flying.y[from]), &FloatPool::Rays::y);
+        store(hn::LoadU(F32(), &pool_.flying.z[from]), &FloatPool::Rays::z);
         store(t, &FloatPool::Rays::t);
-        const Ints slot = compaction(hn::LoadU(IntTag(), &pool_.flying.slot[from]));
-        hn::StoreU(slot, IntTag(), &pool_.flying.slot[kept]);
-        hn::StoreU(slot, IntTag(), &pool_.ended.slot[ended]);
-        kept += compaction.count() - (lanes - valid);
-        pool_.first_ended -= lanes - compaction.count();
+        const Vec<I32> slot = compress(hn::LoadU(I32(), &pool_.flying.slot[from]));
+        hn::StoreU(slot, I32(), &pool_.flying.slot[kept]);
+        hn::StoreU(slot, I32(), &pool_.ended.slot[ended]);
+        kept += compress.count() - (lanes<I32> - valid);
+        pool_.first_ended -= lanes<I32> - compress.count();
     }
 
     void march() noexcept
@@ -163,9 +179,9 @@ class FloatRegionDrawing
             const int steps = std::min(Scene::steps_at_once, max_steps - 1 - made);
             std::size_t kept = 0;
             std::size_t at = 0;
-            for (; at + Scene::group * lanes <= pool_.count; at += Scene::group * lanes)
+            for (; at + Scene::group * lanes<I32> <= pool_.count; at += Scene::group * lanes<I32>)
                 advance<Scene::group>(at, kept, steps);
-            for (; at < pool_.count; at += lanes)
+            for (; at < pool_.count; at += lanes<I32>)
                 advance<1>(at, kept, steps);
             pool_.count = kept;
             made += steps;
@@ -178,8 +194,8 @@ class FloatRegionDrawing
         for (std::size_t i = 0; i < pool_.count; ++i)
             colours_[static_cast<std::uint32_t>(pool_.flying.slot[i])] = 0;
         pool_.count = 0;
-        for (std::size_t at = pool_.first_ended; at < FloatPool::room; at += lanes)
-            shade_ended(at, std::min(lanes, FloatPool::room - at));
+        for (std::size_t at = pool_.first_ended; at < FloatPool::room; at += lanes<I32>)
+            shade_ended(at, std::min(lanes<I32>, FloatPool::room - at));
         pool_.first_ended = FloatPool::room;
         std::size_t slot = 0;
         for (std::size_t i = 0; i < run_count_; ++i) {
@@ -192,14 +208,14 @@ class FloatRegionDrawing
     void shade_ended(std::size_t at, std::size_t count) noexcept
     {
         const FloatPool::Rays& rays = pool_.ended;
-        const Floats t = hn::LoadU(FloatTag(), &rays.t[at]);
+        const Vec<F32> t = hn::LoadU(F32(), &rays.t[at]);
         const FloatPoints p = position(rays, at, t);
         const FloatPoints light = normalise({light_.x - p.x, light_.y - p.y, light_.z - p.z});
-        const Words colour = shade(frame_.colour, surface_normal<Scene>(p), light);
-        const Ints lost =
-            hn::VecFromMask(IntTag(), hn::RebindMask(IntTag(), t > all(float_max_distance)));
-        alignas(64) std::array<std::uint32_t, lanes> colours;
-        hn::Store(hn::AndNot(as_words(lost), colour), WordTag(), colours.data());
+        const Vec<U32> colour = shade(frame_.colour, surface_normal<Scene>(p), light);
+        const Vec<I32> lost =
+            hn::VecFromMask(I32(), hn::RebindMask(I32(), t > Set<F32>(float_max_distance)));
+        alignas(64) std::array<std::uint32_t, lanes<I32>> colours;
+        hn::Store(hn::AndNot(hn::BitCast(U32(), lost), colour), U32(), colours.data());
         for (std::size_t i = 0; i < count; ++i)
             colours_[static_cast<std::uint32_t>(rays.slot[at + i])] = colours[i];
     }
@@ -223,9 +239,9 @@ class FloatRegionDrawing
 };
 
 /// Whole rows only.
-void draw_float(WordSpan words, const Region& region, const Canvas& canvas) noexcept
+void draw_float(const Picture& picture, const Region& region, const Canvas& canvas) noexcept
 {
-    const Frame frame = latch(words);
+    const auto& frame = frame_of<Frame>(picture);
     switch (frame.scene) {
     case marcher::Scene::Sphere:
         return FloatRegionDrawing<FloatSphere, BallOutline>(frame, region, canvas).draw();
@@ -238,5 +254,7 @@ void draw_float(WordSpan words, const Region& region, const Canvas& canvas) noex
     }
 }
 
-} // namespace raymarch::engine::marcher::HWY_NAMESPACE
+} // namespace raymarch::engine::marcher::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engines/float_simd.hpp"
 
-#include "engine/kernel_targets.hpp"
-#include "engine/marcher/fast/lane_orders.hpp"
-#include "engine/marcher/fast/outline.hpp"
-#include "engine/marcher/frame.hpp"
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstring>
+#include "engine/fast/targets.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engines/float_simd.cpp"
@@ -19,21 +11,17 @@
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 
-#include "engine/marcher/fast/lanes-inl.hpp"
-
-#include "engine/marcher/fast/compaction-inl.hpp"
-#include "engine/marcher/fast/pixels-inl.hpp"
-#include "engines/float_stages-inl.hpp"
-
 #include "engines/float_region-inl.hpp"
 
 #endif
 
 #if HWY_ONCE
 
-#include "engine/kernel_table.hpp"
+#include "engine/fast/kernel_table.hpp"
 
-namespace raymarch::engine::marcher
+#include <array>
+
+namespace raymarch::engine::marcher::fast
 {
 namespace
 {
@@ -41,14 +29,14 @@ namespace
 constexpr std::array float_table = {RAYMARCH_KERNELS(draw_float)};
 
 } // namespace
-} // namespace raymarch::engine::marcher
+} // namespace raymarch::engine::marcher::fast
 
 namespace raymarch::bench
 {
 
 std::span<const engine::Kernel> float_kernels() noexcept
 {
-    return engine::marcher::float_table;
+    return engine::marcher::fast::float_table;
 }
 
 } // namespace raymarch::bench

@@ -140,10 +140,10 @@ void draw_scene(const Frame& frame, const engine::Region& region, const engine::
 
 } // namespace
 
-void RAYMARCH_STUDENT_DRAW(engine::WordSpan words, const engine::Region& region,
+void RAYMARCH_STUDENT_DRAW(const engine::Picture& picture, const engine::Region& region,
                            const engine::Canvas& canvas) noexcept
 {
-    const Frame frame = engine::marcher::latch(words);
+    const auto& frame = engine::frame_of<Frame>(picture);
     switch (frame.scene) {
     case Scene::Sphere:
         return draw_scene<Scene::Sphere>(frame, region, canvas);

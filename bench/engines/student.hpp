@@ -11,9 +11,9 @@ namespace raymarch::bench
 
 /// As Kernel::draw; costs are not counted. The same source, compiled with -O2 and with
 /// -O3 -march=native.
-void draw_student_o2(engine::WordSpan words, const engine::Region& region,
+void draw_student_o2(const engine::Picture& picture, const engine::Region& region,
                      const engine::Canvas& canvas) noexcept;
-void draw_student_native(engine::WordSpan words, const engine::Region& region,
+void draw_student_native(const engine::Picture& picture, const engine::Region& region,
                          const engine::Canvas& canvas) noexcept;
 
 } // namespace raymarch::bench

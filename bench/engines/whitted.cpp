@@ -63,7 +63,7 @@ void time_all(const Options& options)
     const engine::PictureSize size = model.description->size;
     engine::Image image(size);
     const std::vector<engine::PixelCost> costs = engine::draw(model, words, image, 2);
-    const std::uint64_t rays = model.frame_rays(words, size, costs);
+    const std::uint64_t rays = model.latch(words)->rays(size, costs);
 
     std::array<engine::Painter, 2> painters = {engine::Painter(1), engine::Painter(2)};
     const auto painted = [&](const engine::Kernel* kernel, unsigned threads) {

@@ -11,7 +11,7 @@ namespace raymarch::engine::fractal
 /// With two buffers that take turns, a buffer has both halves after this many frames.
 inline constexpr unsigned checkerboard_frames = 4;
 
-/// Whether frame number `frame` draws pixel (x, y). The halves come as 0 1 1 0, so that each of the
+/// True if frame number `frame` draws pixel (x, y). The halves come as 0 1 1 0, so that each of the
 /// two buffers gets one after the other.
 [[nodiscard]] constexpr bool in_half(std::uint32_t frame, unsigned x, unsigned y) noexcept
 {

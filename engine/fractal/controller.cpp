@@ -65,8 +65,8 @@ class Visits
 
 } // namespace
 
-std::uint64_t controller_cycles(const Frame& frame, RowOf last_row,
-                                std::span<const PixelCost> costs, unsigned units) noexcept
+std::uint64_t frame_cycles(const Frame& frame, RowOf last_row, std::span<const PixelCost> costs,
+                           unsigned units) noexcept
 {
     units = std::clamp(units, 1U, most_units);
     const unsigned a_query = scene_row(frame.scene).latency + 1U;

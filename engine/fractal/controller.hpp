@@ -13,10 +13,10 @@
 namespace raymarch::engine::fractal
 {
 
-/// The clock cycles from the start of one frame to the start of the next: the controller's own
-/// rules, pixel by pixel. `units` from 1 to 255; a pixel has at most 32 evaluations.
-[[nodiscard]] std::uint64_t controller_cycles(const Frame& frame, RowOf last_row,
-                                              std::span<const PixelCost> costs,
-                                              unsigned units) noexcept;
+/// See Picture::cycles: the clock cycles from the start of one frame to the start of the next: the
+/// controller's own rules, pixel by pixel. `units` from 1 to 255; a pixel has at most 32
+/// evaluations.
+[[nodiscard]] std::uint64_t frame_cycles(const Frame& frame, RowOf last_row,
+                                         std::span<const PixelCost> costs, unsigned units) noexcept;
 
 } // namespace raymarch::engine::fractal

@@ -26,7 +26,7 @@ Rgb colour_of(unsigned lightness, std::uint8_t hue, unsigned strength) noexcept
     const unsigned within = turn % 256 + 1;
     const unsigned ramp = (turn / 256 % 2 == 0 ? within : 256 - within) * chroma / 256;
 
-    // What the sextants add to blue, green and red: the hardware has red and blue exchanged.
+    // The sextants add this to blue, green and red: the hardware has red and blue exchanged.
     const unsigned blue = sextant == 0 ? chroma : 0;
     const unsigned green = sextant == 1 ? chroma : sextant == 2 ? ramp : 0;
     const unsigned red = sextant == 3 ? chroma : ramp;

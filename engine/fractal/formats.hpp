@@ -42,7 +42,7 @@ using Point = Vec3<Number>;
 
 inline constexpr std::int32_t fraction_mask = (std::int32_t{1} << Number::fraction_bits) - 1;
 
-/// What stands behind the point, 0 to below 1, of negative words too.
+/// Returns what stands behind the point, 0 to below 1, for negative words too.
 [[nodiscard]] constexpr Number fraction(Number a) noexcept
 {
     return word(a.raw() & fraction_mask);

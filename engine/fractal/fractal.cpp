@@ -2,7 +2,6 @@
 #include "engine/fractal/fractal.hpp"
 
 #include "engine/fractal/checkerboard.hpp"
-#include "engine/fractal/controller.hpp"
 #include "engine/fractal/display.hpp"
 #include "engine/fractal/ray_generator.hpp"
 #include "engine/fractal/ray_marcher.hpp"
@@ -36,23 +35,6 @@ void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
 unsigned frames_of_a_still(const Frame& frame) noexcept
 {
     return frame.checker ? checkerboard_frames : 1;
-}
-
-void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
-              std::span<PixelCost> costs) noexcept
-{
-    draw_row(latch(words), row, pixels, costs);
-}
-
-std::uint64_t frame_cycles(WordSpan words, RowOf last_row, std::span<const PixelCost> costs,
-                           unsigned units) noexcept
-{
-    return controller_cycles(latch(words), last_row, costs, units);
-}
-
-unsigned frames_of_a_still(WordSpan words) noexcept
-{
-    return frames_of_a_still(latch(words));
 }
 
 } // namespace raymarch::engine::fractal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What the fractal's words say, in the pipeline's own numbers: latched once a frame.
+/// The fractal's words in the pipeline's own numbers; they are latched once a frame.
 #pragma once
 
 #include "engine/fractal/formats.hpp"

@@ -19,7 +19,7 @@ struct Derivative
     bool operator==(const Derivative&) const = default;
 };
 
-/// What happens above Q33.32.
+/// The derivative takes one of these forms above Q33.32.
 enum class DerivativeForm : std::uint8_t {
     Sliding,   ///< the point moves, and dr keeps its upper 64 bits
     Saturating ///< the source's Q33.32: dr stays at its largest value

@@ -11,7 +11,7 @@
 namespace raymarch::engine::mandelbulb
 {
 
-/// What one evaluation of the distance needs besides the point: latched once a frame.
+/// An evaluation of the distance needs this besides the point; it is latched once a frame.
 struct Arithmetic
 {
     int steps = 32;      ///< N: of CORDIC, BKM and division, 8 to 64
@@ -23,7 +23,7 @@ struct Arithmetic
     bool operator==(const Arithmetic&) const = default;
 };
 
-/// What travels from core to core.
+/// The state that travels from core to core.
 template <typename Format>
 struct Orbit
 {

@@ -46,7 +46,7 @@ void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
         draw_row_in<Q64<Int128>>(frame, row, pixels, costs);
 }
 
-std::uint64_t frame_cycles(const Frame& frame, std::span<const PixelCost> costs,
+std::uint64_t frame_cycles(const Frame& frame, RowOf /*last_row*/, std::span<const PixelCost> costs,
                            unsigned units) noexcept
 {
     std::uint64_t evaluations = 0;
@@ -56,18 +56,6 @@ std::uint64_t frame_cycles(const Frame& frame, std::span<const PixelCost> costs,
         (static_cast<unsigned>(frame.arithmetic.iterations) + cores - 1) / cores;
     const unsigned stages = 22 * static_cast<unsigned>(frame.arithmetic.steps) + 392;
     return passes * ((evaluations + units - 1) / units + stages);
-}
-
-void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
-              std::span<PixelCost> costs) noexcept
-{
-    draw_row(latch(words), row, pixels, costs);
-}
-
-std::uint64_t frame_cycles(WordSpan words, RowOf /*last_row*/, std::span<const PixelCost> costs,
-                           unsigned units) noexcept
-{
-    return frame_cycles(latch(words), costs, units);
 }
 
 } // namespace raymarch::engine::mandelbulb

@@ -15,7 +15,7 @@ namespace raymarch::engine::mandelbulb
 [[nodiscard]] Direction ray_direction(const Frame& frame, PictureSize size, std::uint16_t x,
                                       std::uint16_t y) noexcept;
 
-/// What it is the unit vector of: from the camera to the pixel's place on a plane before it.
+/// The vector before it is normalised: from the camera to the pixel's place on a plane before it.
 /// Components are below 2^60.
 [[nodiscard]] Direction ray_vector(const Frame& frame, PictureSize size, std::uint16_t x,
                                    std::uint16_t y) noexcept;

@@ -34,7 +34,7 @@ struct March
     typename Format::Coordinate t{}; ///< the way gone, the last distance included
 };
 
-/// What the ray has gone beyond when it misses: 8 units, or with a frame scale 8 scaled units.
+/// A ray that has gone farther misses: 8 units, or with a frame scale 8 scaled units.
 template <typename Format>
 inline constexpr
     typename Format::Coordinate farthest = power_of_two<Format>(Format::fraction_bits + 3);

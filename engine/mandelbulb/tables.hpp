@@ -69,7 +69,7 @@ inline constexpr std::array<std::int64_t, 25> gains = {
 };
 // clang-format on
 
-/// What N rotations are to be multiplied by, times 2^63.
+/// N rotations are to be multiplied by this; it is times 2^63.
 [[nodiscard]] constexpr std::int64_t gain_of(int steps) noexcept
 {
     const std::size_t last = gains.size() - 1;

@@ -12,10 +12,9 @@
 namespace raymarch::engine::marcher
 {
 
-void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
+void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
               std::span<PixelCost> costs) noexcept
 {
-    const Frame frame = latch(words);
     const SceneRow& scene = scene_row(frame.scene);
     for (unsigned at = row.columns.first; at < row.end(); at += row.columns.step) {
         const auto x = static_cast<std::uint16_t>(at);
@@ -32,13 +31,13 @@ void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
     }
 }
 
-std::uint64_t frame_cycles(WordSpan words, RowOf /*last_row*/, std::span<const PixelCost> costs,
+std::uint64_t frame_cycles(const Frame& frame, RowOf /*last_row*/, std::span<const PixelCost> costs,
                            unsigned units) noexcept
 {
     std::uint64_t queries = 0;
     for (const PixelCost& cost : costs)
         queries += cost.steps;
-    return (queries * scene_row(latch(words).scene).clock_cycles + units - 1) / units;
+    return (queries * scene_row(frame.scene).clock_cycles + units - 1) / units;
 }
 
 } // namespace raymarch::engine::marcher

@@ -22,7 +22,8 @@ constexpr std::array scenes = {
     SceneRow{Scene::Tunnel, tunnel, 8},
 };
 
-/// Where `c` stands in its cell of `2 * middle` units, measured from the middle of the cell.
+/// Returns where `c` stands in its cell of `2 * middle` units, measured from the middle of the
+/// cell.
 Coordinate fold(Coordinate c, Coordinate middle) noexcept
 {
     const std::int32_t mask = 2 * middle.raw() - 1; // cells are powers of two

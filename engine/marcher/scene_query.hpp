@@ -26,7 +26,7 @@ struct SceneRow
 {
     Scene scene;
     Distance distance;
-    std::uint8_t clock_cycles; ///< of one query in hardware (source 000, Table 7)
+    std::uint8_t clock_cycles; ///< one query takes them in hardware (source 000, Table 7)
 };
 
 /// The row of a scene; all four codes of two bits have one.

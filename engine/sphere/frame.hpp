@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What the words say, in the sphere tracer's own numbers: latched once a frame.
+/// The words' meaning in the sphere tracer's own numbers; they are latched once a frame.
 #pragma once
 
 #include "engine/vec3.hpp"

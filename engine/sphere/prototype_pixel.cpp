@@ -39,7 +39,7 @@ std::optional<Visible> look(const Frame& frame, const Rules& rules, const Line& 
     return visible;
 }
 
-/// Whether a sphere, the struck one among them, stands on the way; counts what it looks at.
+/// Says whether a sphere, the struck one among them, stands on the way; counts what it looks at.
 bool blocked(const Frame& frame, const Rules& rules, const Line& way,
              std::uint32_t& evaluations) noexcept
 {
@@ -50,7 +50,7 @@ bool blocked(const Frame& frame, const Rules& rules, const Line& way,
     });
 }
 
-/// What a light adds.
+/// Returns the brightness that a light adds.
 std::int64_t received(const Frame& frame, const Light& light, const Point& point) noexcept
 {
     const std::uint64_t squared = squared_distance(point, light.position);

@@ -69,7 +69,7 @@ Quadratic quadratic(const Rules& rules, const Line& line, const Ball& ball) noex
             cut(dot(beside, beside) - radius * radius)};
 }
 
-/// Whether a root lies before the reach.
+/// Says whether a root lies before the reach.
 bool before(const Rules& rules, std::int64_t root, std::int64_t threshold) noexcept
 {
     return rules.unsigned_threshold

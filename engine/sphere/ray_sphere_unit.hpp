@@ -19,7 +19,7 @@ struct Line
     Point to;
 };
 
-/// What of the line counts.
+/// Says which part of the line counts.
 enum class Reach : std::uint8_t {
     Ray,     ///< T from 0 on
     Segment, ///< T from 10 on, and up to the other end: is the way to a light free?
@@ -49,19 +49,19 @@ enum class Narrowing : std::uint8_t {
     Saturate, ///< held at -2^17 and 2^17 - 1
 };
 
-/// Where the designs differ. Section numbers are those of docs/engine/sphere.md.
+/// The designs differ in these rules. Section numbers are those of docs/engine/sphere.md.
 struct Rules
 {
-    /// Whether a line that touches the sphere misses it.
+    /// A line that touches the sphere misses it.
     bool strict;
     std::uint64_t (*root)(Wide) noexcept;
-    /// Whether a, b and c are cut to 32 bits.
+    /// The unit cuts a, b and c to 32 bits.
     bool narrow_coefficients;
-    /// Whether "T below the threshold" is an unsigned comparison: a negative T is a huge one.
+    /// "T below the threshold" is an unsigned comparison: a negative T is a huge one.
     bool unsigned_threshold;
-    /// Whether the far root stands in the first product of the near point's x.
+    /// The far root stands in the first product of the near point's x.
     bool far_root_in_x;
-    /// Whether the smallest root within the reach is used, or the near one if either is within.
+    /// The smallest root within the reach is used, else the near one if either is within.
     bool root_by_root;
     Narrowing narrowing;
 };

@@ -11,7 +11,7 @@ namespace raymarch::engine::sphere
 namespace
 {
 
-/// What a pixel with light shows. Corrected, it is never darker than one without.
+/// Returns the value of a pixel with light. Corrected, it is never darker than one without.
 std::uint8_t lit_value(const Frame& frame, const Point& point) noexcept
 {
     const Light& light = frame.lights[0];

@@ -17,7 +17,7 @@ struct RtlPixel
 {
     std::uint8_t value = 0; ///< 0 to 15, the divider being in time
     Outcome outcome = Outcome::Missed;
-    Point point; ///< where the ray strikes; the eye of a miss
+    Point point; ///< the ray strikes here; a miss has the eye
 };
 
 /// The first sphere and the first light count. Precondition: frame is `held`.

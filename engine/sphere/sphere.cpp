@@ -25,24 +25,18 @@ Colour tinted(Tint tint, std::uint8_t value) noexcept
     return {bright, bright, tint == Tint::Grey ? bright : std::uint8_t{0}};
 }
 
-struct Drawn
-{
-    Colour colour;
-    PixelCost cost;
-};
+} // namespace
 
-Drawn draw_pixel(const Frame& frame, std::int32_t x, std::int32_t y) noexcept
+Pixel draw_pixel(const Frame& registers, std::int32_t x, std::int32_t y) noexcept
 {
-    if (frame.design == Design::Prototype) {
-        const PrototypePixel pixel = prototype_pixel(frame, x, y);
+    if (registers.design == Design::Prototype) {
+        const PrototypePixel pixel = prototype_pixel(registers, x, y);
         return {pixel.colour, {.steps = pixel.evaluations, .rays = pixel.rays}};
     }
-    const RtlPixel pixel = rtl_pixel(frame, x, y);
+    const RtlPixel pixel = rtl_pixel(registers, x, y);
     const OutcomeRow& row = row_of(pixel.outcome);
-    return {tinted(frame.tint, pixel.value), {.steps = row.period, .rays = row.rays}};
+    return {tinted(registers.tint, pixel.value), {.steps = row.period, .rays = row.rays}};
 }
-
-} // namespace
 
 void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
               std::span<PixelCost> costs) noexcept
@@ -50,9 +44,9 @@ void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
     const Frame registers = held(frame);
     for (unsigned at = row.columns.first; at < row.end(); at += row.columns.step) {
         const auto x = static_cast<std::uint16_t>(at);
-        const Drawn drawn = draw_pixel(registers, x, row.y);
-        std::ranges::copy(drawn.colour, pixels.begin() + std::ptrdiff_t{x} * 3);
-        costs[x] = drawn.cost;
+        const Pixel pixel = draw_pixel(registers, x, row.y);
+        std::ranges::copy(pixel.colour, pixels.begin() + std::ptrdiff_t{x} * 3);
+        costs[x] = pixel.cost;
     }
 }
 
@@ -82,29 +76,15 @@ void finish(const Frame& frame, const Canvas& canvas) noexcept
     }
 }
 
-std::uint64_t frame_cycles(const Frame& frame, std::span<const PixelCost> costs) noexcept
+std::uint64_t frame_cycles(const Frame& frame, RowOf /*last_row*/, std::span<const PixelCost> costs,
+                           unsigned units) noexcept
 {
     std::uint64_t steps = 0;
     for (const PixelCost& cost : costs)
         steps += cost.steps;
-    return frame.design == Design::Prototype ? steps * longest_evaluation : steps;
-}
-
-void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
-              std::span<PixelCost> costs) noexcept
-{
-    draw_row(latch(words), row, pixels, costs);
-}
-
-void finish(WordSpan words, const Canvas& canvas) noexcept
-{
-    finish(latch(words), canvas);
-}
-
-std::uint64_t frame_cycles(WordSpan words, RowOf /*last_row*/, std::span<const PixelCost> costs,
-                           unsigned units) noexcept
-{
-    return (frame_cycles(latch(words), costs) + units - 1) / units;
+    const std::uint64_t edges =
+        frame.design == Design::Prototype ? steps * longest_evaluation : steps;
+    return (edges + units - 1) / units;
 }
 
 } // namespace raymarch::engine::sphere

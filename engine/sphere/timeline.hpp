@@ -57,7 +57,7 @@ inline constexpr std::array outcomes = {
 /// The core's first enable; edges count from 1 at power-up.
 inline constexpr std::uint64_t first_enable = 4;
 
-/// Whether the quotient of a lit pixel that was enabled at `enable` is loaded before it is read.
+/// True if the quotient of a lit pixel that was enabled at `enable` is loaded before it is read.
 /// The divider's operands are set 64 edges before, but it loads only at edges 64, 192, 320, ….
 [[nodiscard]] constexpr bool divider_in_time(std::uint64_t enable, const OutcomeRow& row) noexcept
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What the words say, in the pipeline's own numbers: latched once a frame.
+/// The words in the pipeline's own numbers; they are latched once a frame.
 #pragma once
 
 #include "engine/whitted/formats.hpp"

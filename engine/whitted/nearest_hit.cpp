@@ -28,7 +28,7 @@ void keep_point(const Frame& frame, const Ray& ray, const Vector& point, Search&
         search.origin = point;
 }
 
-/// As an unsigned word, which makes a negative one far away.
+/// Reads an unsigned word, which makes a negative one far away.
 std::uint32_t unsigned_word(Word a) noexcept
 {
     return static_cast<std::uint32_t>(a.raw()) & ((1U << Word::width) - 1);

@@ -25,7 +25,7 @@ struct PlaneDistance
 /// Not behind the ray's origin and not so near that it is the plane the ray has just left.
 [[nodiscard]] bool counts(Word plane_distance) noexcept;
 
-/// Whether a bounded plane reaches to this point.
+/// Says whether a bounded plane reaches to this point.
 [[nodiscard]] bool within_limits(const Plane& plane, const Vector& point) noexcept;
 
 /// Its colour at a point: a quarter of it on the dark squares of a checkerboard.

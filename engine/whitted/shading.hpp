@@ -24,7 +24,7 @@ enum class Highlight : bool { Held, Wraps };
 /// sum + colour * weight, held at the brightest.
 [[nodiscard]] Colour accumulate(const Colour& sum, const Colour& colour, Weight weight) noexcept;
 
-/// What is left of a weight after a reflection.
+/// Returns what a reflection leaves of a weight.
 [[nodiscard]] Weight reflected_weight(Weight weight, Weight reflect) noexcept;
 
 } // namespace raymarch::engine::whitted

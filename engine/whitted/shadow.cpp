@@ -9,7 +9,7 @@ namespace raymarch::engine::whitted
 namespace
 {
 
-/// What one sphere does to the shadow ray.
+/// Says what one sphere does to the shadow ray.
 struct Obstacle
 {
     bool blocks;
@@ -32,7 +32,7 @@ Obstacle obstacle_as_measured(const Sphere& sphere, const Approach& to, const Wa
     return {true, cycles::blocked};
 }
 
-/// Whether the ray enters the sphere before it reaches the light: along - sqrt(half_chord) <
+/// True if the ray enters the sphere before it reaches the light: along - sqrt(half_chord) <
 /// distance, without the root.
 bool enters_before(const Approach& to, Word distance) noexcept
 {

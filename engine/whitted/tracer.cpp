@@ -13,7 +13,7 @@ namespace raymarch::engine::whitted
 namespace
 {
 
-/// What a hit looks like.
+/// The looks of a hit.
 struct Surface
 {
     Vector normal;

@@ -9,22 +9,16 @@
 namespace raymarch::engine::whitted
 {
 
-void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
-              std::span<PixelCost> costs) noexcept
-{
-    draw_row(latch(words), row, pixels, costs);
-}
-
-std::uint64_t frame_cycles(WordSpan words, RowOf last_row, std::span<const PixelCost> costs,
+std::uint64_t frame_cycles(const Frame& frame, RowOf last_row, std::span<const PixelCost> costs,
                            unsigned units) noexcept
 {
-    return (frame_cost(latch(words), last_row.size, costs).cycles + units - 1) / units;
+    return (frame_cost(frame, last_row.size, costs).cycles + units - 1) / units;
 }
 
-std::uint64_t frame_rays(WordSpan words, PictureSize size,
+std::uint64_t frame_rays(const Frame& frame, PictureSize size,
                          std::span<const PixelCost> costs) noexcept
 {
-    return frame_cost(latch(words), size, costs).rays;
+    return frame_cost(frame, size, costs).rays;
 }
 
 void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,

@@ -12,23 +12,19 @@
 namespace raymarch::engine::whitted
 {
 
-/// See Model. A step is a clock cycle.
-void draw_row(WordSpan words, RowOf row, std::span<std::uint8_t> pixels,
-              std::span<PixelCost> costs) noexcept;
-
-/// See Model. The machine has one ray unit; more would share the pixels out evenly.
-std::uint64_t frame_cycles(WordSpan words, RowOf last_row, std::span<const PixelCost> costs,
-                           unsigned units) noexcept;
-
-/// See Model.
-std::uint64_t frame_rays(WordSpan words, PictureSize size,
-                         std::span<const PixelCost> costs) noexcept;
-
-/// The same of a frame.
+/// See Picture::draw. A step is a clock cycle.
 void draw_row(const Frame& frame, RowOf row, std::span<std::uint8_t> pixels,
               std::span<PixelCost> costs) noexcept;
 
-/// What a frame costs in all.
+/// See Picture::cycles. The machine has one ray unit; more would share the pixels out evenly.
+std::uint64_t frame_cycles(const Frame& frame, RowOf last_row, std::span<const PixelCost> costs,
+                           unsigned units) noexcept;
+
+/// See Picture::rays.
+std::uint64_t frame_rays(const Frame& frame, PictureSize size,
+                         std::span<const PixelCost> costs) noexcept;
+
+/// The sum of a frame's costs.
 struct FrameCost
 {
     std::uint64_t cycles = 0;

@@ -19,7 +19,7 @@ namespace
 namespace table = protocol::marcher;
 
 // Constants in every build, those of the sanitizers too.
-static_assert(model_of(table::description).draw_row == &marcher::draw_row);
+static_assert(model_of(table::description).kernels == &marcher::fast::kernels);
 static_assert(&model_of(protocol::whitted::description) == &models[4]);
 
 protocol::Words words_of(std::string_view settings)

@@ -2,6 +2,7 @@
 #include "engine/painter.hpp"
 
 #include "engine/models.hpp"
+#include "protocol/registers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,13 +15,16 @@ namespace
 {
 
 /// A kernel that counts how often each pixel is drawn, in the first byte.
-void count_pixels(WordSpan /*words*/, const Region& region, const Canvas& canvas) noexcept
+void count_pixels(const Picture& /*picture*/, const Region& region, const Canvas& canvas) noexcept
 {
     for (unsigned y = region.y; y < unsigned{region.y} + region.height; y += region.step)
         for (unsigned x = region.x; x < unsigned{region.x} + region.width; x += region.step)
             ++canvas.rgb[3 * (std::size_t{y} * region.size.width + x)];
 }
 constexpr Kernel counting{Isa::Scalar, count_pixels};
+
+const protocol::Words painted_words =
+    protocol::pack(*models[0].description, protocol::initial_state(*models[0].description));
 
 TEST(Painter, DrawsEveryPixelOnceInEachOfManyPictures)
 {
@@ -30,7 +34,7 @@ TEST(Painter, DrawsEveryPixelOnceInEachOfManyPictures)
         EXPECT_EQ(painter.threads(), threads);
         for (int picture = 0; picture < 200; ++picture) {
             Image image(size);
-            painter.draw({models[0], {}, &counting}, whole(size), {image.rgb});
+            painter.draw({models[0], painted_words, &counting}, whole(size), {image.rgb});
             for (std::size_t i = 0; i < image.rgb.size(); ++i)
                 ASSERT_EQ(image.rgb[i], i % 3 == 0 ? 1 : 0) << i;
         }
@@ -42,7 +46,7 @@ TEST(Painter, BandsOfALatticeStayOnIt)
     constexpr PictureSize size{9, 200};
     Painter painter(3);
     Image image(size);
-    painter.draw({models[0], {}, &counting},
+    painter.draw({models[0], painted_words, &counting},
                  {.size = size, .x = 1, .y = 3, .width = 8, .height = 190, .step = 5}, {image.rgb});
     for (unsigned y = 0; y < size.height; ++y)
         for (unsigned x = 0; x < size.width; ++x) {
@@ -58,7 +62,7 @@ TEST(Painter, AStopLeavesTheRest)
     std::stop_source stop;
     stop.request_stop();
     Image image(size);
-    painter.draw({models[0], {}, &counting}, whole(size), {image.rgb}, stop.get_token());
+    painter.draw({models[0], painted_words, &counting}, whole(size), {image.rgb}, stop.get_token());
     EXPECT_EQ(image.rgb, Image(size).rgb);
 }
 
@@ -73,7 +77,7 @@ TEST(Painter, ItsListenerHearsHowFarThePictureIs)
             heard.push_back(taken);
         });
         Image image(size);
-        painter.draw({models[0], {}, &counting}, whole(size), {image.rgb});
+        painter.draw({models[0], painted_words, &counting}, whole(size), {image.rgb});
         EXPECT_TRUE(std::ranges::is_sorted(heard));
         if (threads == 1) {
             EXPECT_EQ(heard, (std::vector<unsigned>{1, 2, 3, 4, 5, 6, 7}));
@@ -82,7 +86,7 @@ TEST(Painter, ItsListenerHearsHowFarThePictureIs)
             EXPECT_TRUE(taken >= 1 && taken <= 7) << taken;
         painter.listen({});
         heard.clear();
-        painter.draw({models[0], {}, &counting}, whole(size), {image.rgb});
+        painter.draw({models[0], painted_words, &counting}, whole(size), {image.rgb});
         EXPECT_EQ(heard, std::vector<unsigned>());
     }
 }

@@ -2,11 +2,11 @@
 /// @file
 /// The stages of the fractal's kernels by themselves, on all that their arguments can be, in every
 /// instruction set that runs here.
+#include "engine/fast/targets.hpp"
 #include "engine/fractal/inverse_sqrt.hpp"
 #include "engine/fractal/scenes.hpp"
 #include "engine/fractal/shading.hpp"
 #include "engine/isa.hpp"
-#include "engine/kernel_targets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@
 #include "engine/fractal/fast/shading-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::fractal::HWY_NAMESPACE
+namespace raymarch::engine::fractal::fast::HWY_NAMESPACE
 {
 
 constexpr std::int32_t words = 1 << Number::width;
@@ -38,11 +38,10 @@ constexpr std::int32_t stride = 13; // a build that is not optimised looks at so
 /// Of the words that it takes.
 void expect_inverse_sqrt()
 {
-    constexpr std::size_t lanes = HWY_LANES(std::int32_t);
-    for (std::int32_t a = least_radicand; a < words; a += lanes) {
-        std::array<std::int32_t, lanes> roots{};
-        hn::StoreU(inverse_sqrt(hn::Iota(Wide(), a)), Wide(), roots.data());
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
+    for (std::int32_t a = least_radicand; a < words; a += lanes<I32>) {
+        std::array<std::int32_t, lanes<I32>> roots{};
+        hn::StoreU(inverse_sqrt(hn::Iota(I32(), a)), I32(), roots.data());
+        for (std::size_t lane = 0; lane < lanes<I32>; ++lane) {
             const auto at = static_cast<std::int32_t>(a + static_cast<std::int32_t>(lane));
             ASSERT_EQ(roots[lane], fractal::inverse_sqrt(word(at)).raw()) << at;
         }
@@ -53,18 +52,17 @@ void expect_inverse_sqrt()
 /// sum; of the depth all.
 void expect_brick()
 {
-    constexpr std::size_t lanes = HWY_LANES(std::uint16_t);
-    const Narrow d;
+    const U16 d;
     std::mt19937 random(1); // NOLINT(cert-msc51-cpp)
     for (std::int32_t y = 0; y < 1 << 13; y += stride)
-        for (std::int32_t x = 0; x < 1 << 13; x += lanes * 8) {
+        for (std::int32_t x = 0; x < 1 << 13; x += lanes<U16> * 8) {
             const auto z = static_cast<std::int32_t>(random() % words);
             const std::int32_t depth = y % 32;
-            std::array<std::uint16_t, lanes> shaded{};
-            hn::StoreU(brick(d, hn::Iota(d, static_cast<std::uint16_t>(x)), narrow(y), narrow(z),
-                             narrow(depth)),
+            std::array<std::uint16_t, lanes<U16>> shaded{};
+            hn::StoreU(brick(d, hn::Iota(d, static_cast<std::uint16_t>(x)), Set<U16>(y),
+                             Set<U16>(z), Set<U16>(depth)),
                        d, shaded.data());
-            for (std::size_t lane = 0; lane < lanes; ++lane) {
+            for (std::size_t lane = 0; lane < lanes<U16>; ++lane) {
                 const auto at = static_cast<std::int32_t>(x + static_cast<std::int32_t>(lane));
                 ASSERT_EQ(shaded[lane], fractal::brick({word(at), word(y), word(z)},
                                                        static_cast<std::uint8_t>(depth)))
@@ -80,9 +78,7 @@ void expect_distance(Distance distance, std::int32_t largest, bool words_wrap)
 {
     using Tag = typename Rays::Tag;
     using Lane = hn::TFromD<Tag>;
-    const auto first_lane = [](hn::Vec<Tag> v) {
-        return static_cast<std::int32_t>(hn::GetLane(v));
-    };
+    const auto first_lane = [](Vec<Tag> v) { return static_cast<std::int32_t>(hn::GetLane(v)); };
     std::mt19937 random(2); // NOLINT(cert-msc51-cpp)
     const auto between = [&](std::int32_t low, std::int32_t high) {
         return std::uniform_int_distribution<std::int32_t>(low, high)(random);
@@ -105,9 +101,10 @@ void expect_distance(Distance distance, std::int32_t largest, bool words_wrap)
         const Point direction{word(component()), word(component()), word(component())};
         const std::int32_t s = between(0, 3) == 0 ? largest : between(hit_limit.raw(), largest);
         std::array<Directions, Rays::parts> to;
-        to.fill({wide(direction.x.raw()), wide(direction.y.raw()), wide(direction.z.raw())});
+        to.fill({Set<I32>(direction.x.raw()), Set<I32>(direction.y.raw()),
+                 Set<I32>(direction.z.raw())});
         rays.aim(to);
-        rays.step(hn::Set(Tag(), static_cast<Lane>(s)));
+        rays.step(Set<Tag>(s));
         const Point next = p + map(direction, [&](Number c) { return multiply(c, word(s)); });
         ASSERT_EQ(first_lane(rays.distance()), at_least_0(next)) << x << " " << s;
     }
@@ -123,12 +120,12 @@ void expect_stages()
     expect_distance<CubeRays>(cube, five.raw(), false);
 }
 
-} // namespace raymarch::engine::fractal::HWY_NAMESPACE
+} // namespace raymarch::engine::fractal::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
-namespace raymarch::engine::fractal
+namespace raymarch::engine::fractal::fast
 {
 namespace
 {
@@ -155,5 +152,5 @@ TEST(FractalStages, AreTheReferencesOnAllArguments)
 }
 
 } // namespace
-} // namespace raymarch::engine::fractal
+} // namespace raymarch::engine::fractal::fast
 #endif

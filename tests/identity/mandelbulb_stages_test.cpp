@@ -2,7 +2,7 @@
 // The stages of the Mandelbulb's kernels against those of the reference, in every instruction set;
 // and the filter's bounds against the errors that they bound.
 #include "engine/draw.hpp"
-#include "engine/kernel_targets.hpp"
+#include "engine/fast/targets.hpp"
 #include "engine/mandelbulb/distance.hpp"
 #include "engine/mandelbulb/fast/bounds.hpp"
 #include "engine/mandelbulb/ray_generator.hpp"
@@ -26,7 +26,7 @@
 #include "engine/mandelbulb/fast/orbits-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::mandelbulb::HWY_NAMESPACE
+namespace raymarch::engine::mandelbulb::fast::HWY_NAMESPACE
 {
 
 using test::pick;
@@ -134,7 +134,7 @@ void multiplier()
             const DoubleWord product = multiply(a_batch[j], b_batch[j]);
             high[j] = product.high;
             low[j] = product.low;
-            kept_batch[j] = mandelbulb::HWY_NAMESPACE::keep(a_batch[j], kept);
+            kept_batch[j] = mandelbulb::fast::HWY_NAMESPACE::keep(a_batch[j], kept);
             length[j] = bit_length(a_batch[j]);
         }
         for (std::size_t i = 0; i < batch; ++i) {
@@ -160,9 +160,9 @@ void powers_and_derivative()
             numbers([&] { return (random() | 1ULL << 63) >> (random() % 32); });
         const Numbers fraction = numbers(
             [&] { return static_cast<std::uint64_t>(pick<std::int64_t>(random, -600, 32)); });
-        const PowersBatch power = mandelbulb::HWY_NAMESPACE::powers(load(r.data()), d, kept);
+        const PowersBatch power = mandelbulb::fast::HWY_NAMESPACE::powers(load(r.data()), d, kept);
         for (const DerivativeForm form : {DerivativeForm::Sliding, DerivativeForm::Saturating}) {
-            const DerivativeBatch next = mandelbulb::HWY_NAMESPACE::next_derivative(
+            const DerivativeBatch next = mandelbulb::fast::HWY_NAMESPACE::next_derivative(
                 {load(mantissa.data()), load(fraction.data())}, power.kept_lower, d, kept, form);
             for (std::size_t i = 0; i < batch; ++i) {
                 const auto expected = mandelbulb::powers<Format>(as_signed(r[i]), d, kept);
@@ -192,7 +192,7 @@ void distance()
         const Numbers fraction = numbers(
             [&] { return static_cast<std::uint64_t>(pick<std::int64_t>(random, -100, 32)); });
         const Numbers mantissa = numbers([&] { return random() | 1ULL << pick(random, 32, 63); });
-        const Numbers result = numbers_of(mandelbulb::HWY_NAMESPACE::distance_of(
+        const Numbers result = numbers_of(mandelbulb::fast::HWY_NAMESPACE::distance_of(
             load(r.data()), {load(mantissa.data()), load(fraction.data())}, with));
         for (std::size_t i = 0; i < batch; ++i)
             ASSERT_EQ(
@@ -205,7 +205,7 @@ void distance()
 
 #if HWY_HAVE_FLOAT64
 
-double first_lane(Real v)
+double first_lane(Vec<F64> v)
 {
     return hn::GetLane(v);
 }
@@ -218,7 +218,7 @@ struct Shares
     double distance = 0;
     double way = 0;
 
-    static void take(double& share, long double error, Real bound)
+    static void take(double& share, long double error, Vec<F64> bound)
     {
         share = std::max(share, static_cast<double>(std::abs(error) / first_lane(bound)));
     }
@@ -237,9 +237,9 @@ int accompany(const RealCourse& real, const Arithmetic& with, const Point<Format
     const Direction direction = unit_vector(vector);
     Track track;
     const auto start = std::bit_cast<std::array<double, track_columns>>(start_of(real, vector));
-    std::array<Real, track_columns> everywhere;
+    std::array<Vec<F64>, track_columns> everywhere;
     for (std::size_t i = 0; i < track_columns; ++i)
-        everywhere[i] = hn::Set(Reals(), start[i]);
+        everywhere[i] = hn::Set(F64(), start[i]);
     std::memcpy(&track, &everywhere, sizeof(track));
     std::int64_t t = first;
     for (int evaluations = 1; evaluations < 100; ++evaluations) {
@@ -247,7 +247,7 @@ int accompany(const RealCourse& real, const Arithmetic& with, const Point<Format
         Orbit<Format> orbit{.w = point, .c = point};
         for (int core = 1;; ++core) {
             const Measure m = measure(real, track);
-            if (hn::GetLane(hn::VecFromMask(Reals(), m.sound)) == 0 || core == with.iterations)
+            if (hn::GetLane(hn::VecFromMask(F64(), m.sound)) == 0 || core == with.iterations)
                 return evaluations;
             const long double dr =
                 std::ldexp(static_cast<long double>(orbit.dr.mantissa), -orbit.dr.fraction_bits);
@@ -320,13 +320,13 @@ void bounds() {} // no filter
 
 #endif
 
-} // namespace raymarch::engine::mandelbulb::HWY_NAMESPACE
+} // namespace raymarch::engine::mandelbulb::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
 
-namespace raymarch::engine::mandelbulb
+namespace raymarch::engine::mandelbulb::fast
 {
 namespace
 {
@@ -384,5 +384,5 @@ TEST(MandelbulbStages, TheFiltersErrorsStayWithinTheirBounds)
 }
 
 } // namespace
-} // namespace raymarch::engine::mandelbulb
+} // namespace raymarch::engine::mandelbulb::fast
 #endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "marcher_stages.hpp"
 
-#include "engine/kernel_targets.hpp"
-#include "engine/marcher/fast/lane_orders.hpp"
+#include "engine/fast/targets.hpp"
 #include "engine/marcher/inverse_sqrt.hpp"
 #include "engine/marcher/inverse_sqrt_table.hpp"
 #include "engine/marcher/shading.hpp"
@@ -24,24 +23,17 @@
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 
-#include "engine/marcher/fast/lanes-inl.hpp"
-
-#include "engine/marcher/fast/compaction-inl.hpp"
-#include "engine/marcher/fast/inverse_sqrt-inl.hpp"
-
-#include "engine/marcher/fast/scene_query-inl.hpp"
-
 #include "engine/marcher/fast/ray_marcher-inl.hpp"
 #include "engine/marcher/fast/shading-inl.hpp"
 #include "engine/marcher/fast/surface_vectors-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::marcher::HWY_NAMESPACE
+namespace raymarch::engine::marcher::fast::HWY_NAMESPACE
 {
 
-Ints load(const Batch& batch, std::size_t at)
+Vec<I32> load(const Batch& batch, std::size_t at)
 {
-    return hn::LoadU(IntTag(), &batch[at]);
+    return hn::LoadU(I32(), &batch[at]);
 }
 
 Points load(const PointBatch& p, std::size_t at)
@@ -49,9 +41,9 @@ Points load(const PointBatch& p, std::size_t at)
     return {load(p.x, at), load(p.y, at), load(p.z, at)};
 }
 
-void store(Ints v, Batch& batch, std::size_t at)
+void store(Vec<I32> v, Batch& batch, std::size_t at)
 {
-    hn::StoreU(v, IntTag(), &batch[at]);
+    hn::StoreU(v, I32(), &batch[at]);
 }
 
 void store(const Points& p, PointBatch& batch, std::size_t at)
@@ -63,26 +55,26 @@ void store(const Points& p, PointBatch& batch, std::size_t at)
 
 Wide load(const Squares64& squares, std::size_t at)
 {
-    std::array<std::uint64_t, lanes / 2> even{};
-    std::array<std::uint64_t, lanes / 2> odd{};
-    for (std::size_t i = 0; i < lanes / 2; ++i) {
+    std::array<std::uint64_t, lanes<I32> / 2> even{};
+    std::array<std::uint64_t, lanes<I32> / 2> odd{};
+    for (std::size_t i = 0; i < lanes<I32> / 2; ++i) {
         even[i] = squares[at + 2 * i];
         odd[i] = squares[at + 2 * i + 1];
     }
-    return {hn::LoadU(LongTag(), even.data()), hn::LoadU(LongTag(), odd.data())};
+    return {hn::LoadU(U64(), even.data()), hn::LoadU(U64(), odd.data())};
 }
 
 template <Squares squares>
 void inverse_sqrt_of(const Squares64& s, std::size_t at, MantissaBatch& result)
 {
     const Normalised n = normalised<squares>(load(s, at));
-    store(as_ints(lower(mantissa(n))), result.mantissa, at);
-    store(as_ints(n.exponent - all_words(exponent_bias)), result.exponent, at);
+    store(hn::BitCast(I32(), lower(mantissa(n))), result.mantissa, at);
+    store(hn::BitCast(I32(), n.exponent - Set<U32>(exponent_bias)), result.exponent, at);
 }
 
 void test_inverse_sqrt(const Squares64& squares, bool small, MantissaBatch& result)
 {
-    for (std::size_t at = 0; at < batch; at += lanes)
+    for (std::size_t at = 0; at < batch; at += lanes<I32>)
         if (small)
             inverse_sqrt_of<Squares::Small>(squares, at, result);
         else
@@ -91,7 +83,7 @@ void test_inverse_sqrt(const Squares64& squares, bool small, MantissaBatch& resu
 
 void test_length(const Squares64& squares, bool small, Batch& result)
 {
-    for (std::size_t at = 0; at < batch; at += lanes)
+    for (std::size_t at = 0; at < batch; at += lanes<I32>)
         store(small ? length<Squares::Small>(load(squares, at))
                     : length<Squares::Any>(load(squares, at)),
               result, at);
@@ -99,7 +91,7 @@ void test_length(const Squares64& squares, bool small, Batch& result)
 
 void test_normalise(const PointBatch& v, bool small, PointBatch& result)
 {
-    for (std::size_t at = 0; at < batch; at += lanes)
+    for (std::size_t at = 0; at < batch; at += lanes<I32>)
         store(small ? normalise<Squares::Small>(load(v, at)) : normalise<Squares::Any>(load(v, at)),
               result, at);
 }
@@ -108,18 +100,18 @@ void test_position(const Point& eye, const PointBatch& direction, const Batch& t
                    PointBatch& result)
 {
     static Rays rays{};
-    for (std::size_t at = 0; at < batch; at += lanes) {
-        hn::StoreU(hn::ShiftLeft<direction_shift>(load(direction.x, at)), IntTag(), rays.x.data());
-        hn::StoreU(hn::ShiftLeft<direction_shift>(load(direction.y, at)), IntTag(), rays.y.data());
-        hn::StoreU(hn::ShiftLeft<direction_shift>(load(direction.z, at)), IntTag(), rays.z.data());
-        store(position(all(eye), rays, 0, load(t, at)), result, at);
+    for (std::size_t at = 0; at < batch; at += lanes<I32>) {
+        hn::StoreU(hn::ShiftLeft<direction_shift>(load(direction.x, at)), I32(), rays.x.data());
+        hn::StoreU(hn::ShiftLeft<direction_shift>(load(direction.y, at)), I32(), rays.y.data());
+        hn::StoreU(hn::ShiftLeft<direction_shift>(load(direction.z, at)), I32(), rays.z.data());
+        store(position(points(eye), rays, 0, load(t, at)), result, at);
     }
 }
 
 template <class Of>
 void distance_of(const PointBatch& p, Batch& result)
 {
-    for (std::size_t at = 0; at < batch; at += lanes)
+    for (std::size_t at = 0; at < batch; at += lanes<I32>)
         store(distance<Of>(load(p, at)), result, at);
 }
 
@@ -140,7 +132,7 @@ void test_distance(marcher::Scene scene, const PointBatch& p, Batch& result)
 template <class Of>
 void normal_of(const PointBatch& p, PointBatch& result)
 {
-    for (std::size_t at = 0; at < batch; at += lanes)
+    for (std::size_t at = 0; at < batch; at += lanes<I32>)
         store(HWY_NAMESPACE::surface_normal<Of>(load(p, at)), result, at);
 }
 
@@ -160,25 +152,25 @@ void test_surface_normal(marcher::Scene scene, const PointBatch& p, PointBatch& 
 
 void test_brightness(const PointBatch& normal, const PointBatch& light, Batch& result)
 {
-    for (std::size_t at = 0; at < batch; at += lanes)
+    for (std::size_t at = 0; at < batch; at += lanes<I32>)
         store(HWY_NAMESPACE::brightness(load(normal, at), load(light, at)), result, at);
 }
 
 void test_shade(const std::array<std::uint16_t, 3>& colour, const Batch& brightness, Batch& result)
 {
-    for (std::size_t at = 0; at < batch; at += lanes)
-        store(as_ints(HWY_NAMESPACE::shade(colour, load(brightness, at))), result, at);
+    for (std::size_t at = 0; at < batch; at += lanes<I32>)
+        store(hn::BitCast(I32(), HWY_NAMESPACE::shade(colour, load(brightness, at))), result, at);
 }
 
 std::size_t test_compact(std::uint32_t chosen, Batch& numbers, std::size_t& size)
 {
-    size = lanes;
+    size = lanes<I32>;
     Batch wanted{};
-    for (std::size_t i = 0; i < lanes; ++i)
+    for (std::size_t i = 0; i < lanes<I32>; ++i)
         wanted[i] = static_cast<std::int32_t>(chosen >> i & 1);
-    const Compaction compaction(load(wanted, 0) > all(0));
-    store(compaction(load(numbers, 0)), numbers, 0);
-    return compaction.count();
+    const Compress<I32> compress(load(wanted, 0) > Set<I32>(0));
+    store(compress(load(numbers, 0)), numbers, 0);
+    return compress.count();
 }
 
 Stages stages_of(Isa isa)
@@ -187,14 +179,14 @@ Stages stages_of(Isa isa)
             test_distance, test_surface_normal, test_brightness, test_shade,     test_compact};
 }
 
-} // namespace raymarch::engine::marcher::HWY_NAMESPACE
+} // namespace raymarch::engine::marcher::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif
 
 #if HWY_ONCE
 
-namespace raymarch::engine::marcher
+namespace raymarch::engine::marcher::fast
 {
 namespace
 {
@@ -508,6 +500,6 @@ INSTANTIATE_TEST_SUITE_P(Identity, MarcherStages, testing::ValuesIn(stages_here(
                          [](const auto& of) { return std::string(name_of(of.param.isa)); });
 
 } // namespace
-} // namespace raymarch::engine::marcher
+} // namespace raymarch::engine::marcher::fast
 
 #endif

@@ -4,6 +4,8 @@
 /// divisions at and beside each border. Compiled once for each instruction set.
 #include "engine/whitted/arithmetic.hpp"
 
+#include "engine/fast/targets.hpp"
+
 #include "tests/engine/whitted/report.hpp"
 #include "tests/fakes/random.hpp"
 
@@ -17,6 +19,7 @@
 #define HWY_TARGET_INCLUDE "tests/identity/whitted_arithmetic_test.cpp"
 #include <hwy/foreach_target.h>
 
+#include "engine/fast/compress-inl.hpp"
 #include "engine/whitted/fast/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,39 +31,40 @@ template <typename Function>
 void for_vectors(const std::int32_t* n, const std::int32_t* d, std::int32_t* to, std::size_t count,
                  Function function)
 {
-    for (std::size_t i = 0; i < count; i += lane_count)
-        hn::StoreU(function(hn::LoadU(words, n + i), hn::LoadU(words, d + i)), words, to + i);
+    for (std::size_t i = 0; i < count; i += lanes<I32>)
+        hn::StoreU(function(hn::LoadU(I32(), n + i), hn::LoadU(I32(), d + i)), I32(), to + i);
 }
 
 void roots(const std::int32_t* v, const std::int32_t*, std::int32_t* to, std::size_t count)
 {
-    for_vectors(v, v, to, count, [](Ints a, Ints) { return square_root(a); });
+    for_vectors(v, v, to, count, [](Vec<I32> a, Vec<I32>) { return square_root(a); });
 }
 
 void quotients(const std::int32_t* n, const std::int32_t* d, std::int32_t* to, std::size_t count)
 {
-    for_vectors(n, d, to, count,
-                [](Ints a, Ints b) { return divide(a, b, hn::Div(all(4096.0F), real(b))); });
+    for_vectors(n, d, to, count, [](Vec<I32> a, Vec<I32> b) {
+        return divide(a, b, hn::Div(Set<F32>(4096.0F), real(b)));
+    });
 }
 
 void quotients_of_negated(const std::int32_t* n, const std::int32_t* d, std::int32_t* to,
                           std::size_t count)
 {
-    for_vectors(n, d, to, count, [](Ints a, Ints b) { return divide_by_negated(a, b); });
+    for_vectors(n, d, to, count, [](Vec<I32> a, Vec<I32> b) { return divide_by_negated(a, b); });
 }
 
 void products(const std::int32_t* n, const std::int32_t* d, std::int32_t* to, std::size_t count)
 {
-    for_vectors(n, d, to, count, [](Ints a, Ints b) { return scaled({a, a, a}, b).y; });
+    for_vectors(n, d, to, count, [](Vec<I32> a, Vec<I32> b) { return scaled({a, a, a}, b).y; });
 }
 
 /// The lanes of n where d is not 0, one behind the other from `to` on.
 void packed(const std::int32_t* n, const std::int32_t* d, std::int32_t* to, std::size_t count)
 {
-    for (std::size_t i = 0; i < count; i += lane_count) {
-        const Packing packing(hn::Ne(hn::LoadU(words, d + i), hn::Zero(words)));
-        packing.store(hn::LoadU(words, n + i), to);
-        to += packing.count();
+    for (std::size_t i = 0; i < count; i += lanes<I32>) {
+        const Compress<I32> compress(hn::Ne(hn::LoadU(I32(), d + i), hn::Zero(I32())));
+        compress.store(hn::LoadU(I32(), n + i), to);
+        to += compress.count();
     }
 }
 

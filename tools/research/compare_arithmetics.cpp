@@ -43,11 +43,31 @@ struct CompareOptions
     std::string output;
 };
 
+/// A frame that is drawn in floating point.
 template <typename Real>
-void draw_row_in(engine::WordSpan words, engine::RowOf row, std::span<std::uint8_t> pixels,
-                 std::span<engine::PixelCost> costs) noexcept
+struct RealFrame
 {
-    draw_reference_row<Real>(mandelbulb::latch(words), row, pixels, costs, ThetaBy::Acos);
+    mandelbulb::Frame exact;
+};
+
+template <typename Real>
+RealFrame<Real> latch_real(engine::WordSpan words) noexcept
+{
+    return {mandelbulb::latch(words)};
+}
+
+template <typename Real>
+void draw_row(const RealFrame<Real>& frame, engine::RowOf row, std::span<std::uint8_t> pixels,
+              std::span<engine::PixelCost> costs) noexcept
+{
+    draw_reference_row<Real>(frame.exact, row, pixels, costs, ThetaBy::Acos);
+}
+
+template <typename Real>
+std::uint64_t frame_cycles(const RealFrame<Real>& frame, engine::RowOf last_row,
+                           std::span<const engine::PixelCost> costs, unsigned units) noexcept
+{
+    return mandelbulb::frame_cycles(frame.exact, last_row, costs, units);
 }
 
 /// One column of the sheet. `settings` are changes in the syntax of SET.
@@ -61,8 +81,9 @@ template <typename Real>
 constexpr engine::Model in_floating_point()
 {
     engine::Model model = engine::model_of(table::description);
-    model.draw_row = draw_row_in<Real>;
-    model.kernels = nullptr; // the kernels belong to the exact model
+    model.latch = engine::latch_by<latch_real<Real>>;
+    // The kernels of the exact model draw other pictures.
+    model.kernels = []() noexcept { return std::span<const engine::Kernel>(); };
     return model;
 }
 constexpr engine::Model exact = engine::model_of(table::description);

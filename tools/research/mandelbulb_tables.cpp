@@ -41,7 +41,8 @@ std::uint64_t mandelbulb_cycles(const protocol::Words& words, PictureSize size, 
     const Accelerator& accelerator = protocol::mandelbulb::description;
     const std::array cost = {engine::PixelCost{.steps = static_cast<std::uint32_t>(evaluations)}};
     return engine::model_of(accelerator)
-        .frame_cycles(words, {.size = size}, cost, accelerator.ray_units);
+        .latch(words)
+        ->cycles({.size = size}, cost, accelerator.ray_units);
 }
 
 } // namespace

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The stages composed, as fractal.cpp does it, for pixels in vectors. Highway compiles this file
 // once for each instruction set.
-#include "engine/fractal/fast/kernels.hpp"
+#include "engine/fast/kernels.hpp"
 
+#include "engine/fast/targets.hpp"
 #include "engine/fractal/checkerboard.hpp"
 #include "engine/fractal/display.hpp"
 #include "engine/fractal/frame.hpp"
 #include "engine/fractal/ray_generator.hpp"
 #include "engine/fractal/ray_marcher.hpp"
 #include "engine/fractal/shading.hpp"
-#include "engine/kernel_targets.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/fractal/fast/kernels.cpp"
@@ -26,7 +26,7 @@
 #include <array>
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::fractal::HWY_NAMESPACE
+namespace raymarch::engine::fractal::fast::HWY_NAMESPACE
 {
 
 constexpr unsigned max_rows = 16;
@@ -42,7 +42,7 @@ struct Line
     Row row;
 };
 
-/// What all pixels of a region share.
+/// All pixels of a region share these numbers.
 struct Scenery
 {
     const Frame& frame;
@@ -88,25 +88,24 @@ template <class Rays>
 void march_tile(const Scenery& scenery, Tile& tile)
 {
     using March = Marcher<Rays>;
-    constexpr std::size_t lanes = March::batch / in_flight;
-    constexpr std::size_t wide_lanes = HWY_LANES(std::int32_t);
+    constexpr std::size_t count = lanes<typename Rays::Tag>;
     const Surface surface = scenery.frame.texture ? Surface::Brick : Surface::Plain;
     March marcher(scenery.frame.position, scenery.first, surface, tile.endings.data());
 
     std::array<typename March::Start, in_flight> starts;
     std::size_t started = 0;
-    for (std::size_t at = 0; at < max_columns; at += lanes)
+    for (std::size_t at = 0; at < max_columns; at += count)
         for (std::size_t i = 0; i < tile.line_count; ++i) {
             const Line& line = tile.lines[i];
             if (line.count <= at)
                 continue;
             auto& start = starts[started];
             start.place = i * max_columns + at;
-            start.count = std::min(line.count - at, lanes);
+            start.count = std::min(line.count - at, count);
             bool bounded = true;
             for (std::size_t part = 0; part < Rays::parts; ++part)
                 start.directions[part] = directions(tile.columns[line.columns],
-                                                    at + part * wide_lanes, line.row, bounded);
+                                                    at + part * lanes<I32>, line.row, bounded);
             if (!bounded) {
                 march_alone(scenery, line, at, start.count, &tile.endings[start.place]);
                 continue;
@@ -154,7 +153,7 @@ void march_tile(const Scenery& scenery, Tile& tile)
 void show(const Scenery& scenery, const Line& line, const Ending* endings, PictureSize size,
           const Canvas& canvas)
 {
-    constexpr std::size_t pixels = HWY_LANES(std::uint8_t);
+    constexpr std::size_t pixels = lanes<U8>;
     const Parity parity{.first = ((line.first ^ line.y) & 1) != 0,
                         .alternates = line.step % 2 != 0};
     const std::size_t row = std::size_t{line.y} * size.width + line.first;
@@ -178,9 +177,9 @@ void show(const Scenery& scenery, const Line& line, const Ending* endings, Pictu
                 .steps = static_cast<std::uint32_t>(endings[i] >> queries_shift), .rays = 1};
 }
 
-void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept
+void draw(const Picture& picture, const Region& region, const Canvas& canvas) noexcept
 {
-    const Frame frame = latch(words);
+    const auto& frame = frame_of<Frame>(picture);
     const SceneRow& scene = scene_row(frame.scene);
     const Scenery scenery{
         .frame = frame,
@@ -228,21 +227,11 @@ void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept
     }
 }
 
-} // namespace raymarch::engine::fractal::HWY_NAMESPACE
+} // namespace raymarch::engine::fractal::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
-#include "engine/kernel_table.hpp"
-
-namespace raymarch::engine::fractal
-{
-
-std::span<const Kernel> kernels() noexcept
-{
-    static constexpr std::array table = {RAYMARCH_KERNELS(draw)};
-    return table;
-}
-
-} // namespace raymarch::engine::fractal
+#include "engine/fast/kernel_table.hpp"
+RAYMARCH_DEFINE_KERNELS(fractal)
 #endif

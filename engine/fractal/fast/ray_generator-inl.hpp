@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The stage of ray_generator.hpp in vectors: what the pixels of a row or a column share is
-/// computed once. Compiled once for each instruction set.
+/// computed once.
 #if defined(RAYMARCH_ENGINE_FRACTAL_FAST_RAY_GENERATOR) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYMARCH_ENGINE_FRACTAL_FAST_RAY_GENERATOR
 #undef RAYMARCH_ENGINE_FRACTAL_FAST_RAY_GENERATOR
@@ -16,7 +16,7 @@
 #include <array>
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::fractal::HWY_NAMESPACE
+namespace raymarch::engine::fractal::fast::HWY_NAMESPACE
 {
 
 /// Columns that are drawn together.
@@ -28,14 +28,14 @@ inline constexpr unsigned max_columns = 128;
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(n.raw()) << spare_bits);
 }
 
-/// What columns add to a ray before it is normalised; nothing in y.
+/// Columns add this to a ray before it is normalised; they add nothing in y.
 struct Columns
 {
     HWY_ALIGN std::array<std::int32_t, max_columns> x;
     HWY_ALIGN std::array<std::int32_t, max_columns> z;
 };
 
-/// What a row adds, forward among it.
+/// A row adds this, which includes the forward vector.
 struct Row
 {
     Vec3<std::int32_t> ray;
@@ -64,9 +64,9 @@ inline void fill(Columns& columns, const Camera& camera, const Plane& plane, uns
 /// Directions of as many rays as there are lanes. Beyond `far` a component counts modulo 2^22.
 struct Directions
 {
-    WideVec x;
-    WideVec y;
-    WideVec z;
+    Vec<I32> x;
+    Vec<I32> y;
+    Vec<I32> z;
 };
 
 /// The components of the directions that rays are marched with here are below it: 1.75. A word is a
@@ -79,32 +79,31 @@ inline constexpr std::int32_t longest = 7 << 14;
 HWY_INLINE Directions directions(const Columns& columns, std::size_t i, const Row& row,
                                  bool& bounded)
 {
-    const Wide d;
-    const WideVec vx = hn::Add(hn::LoadU(d, &columns.x[i]), wide(row.ray.x));
-    const WideVec vy = wide(row.ray.y);
-    const WideVec vz = hn::Add(hn::LoadU(d, &columns.z[i]), wide(row.ray.z));
+    const I32 d;
+    const Vec<I32> vx = hn::Add(hn::LoadU(d, &columns.x[i]), Set<I32>(row.ray.x));
+    const Vec<I32> vy = Set<I32>(row.ray.y);
+    const Vec<I32> vz = hn::Add(hn::LoadU(d, &columns.z[i]), Set<I32>(row.ray.z));
 
     constexpr int fraction = Number::fraction_bits;
-    const auto square = [](WideVec v) { // of at most 26 bits
+    const auto square = [](Vec<I32> v) { // of at most 26 bits
         constexpr int drop = fraction + 2 * spare_bits - 32;
-        return hn::BitCast(Wide(),
-                           hn::ShiftRight<drop>(hn::BitCast(WideBits(), product<32>(v, v))));
+        return hn::BitCast(I32(), hn::ShiftRight<drop>(hn::BitCast(U32(), product<32>(v, v))));
     };
-    const WideVec sum = hn::Add(square(vx), hn::Add(wide(row.y_squared), square(vz)));
-    const WideVec radicand = hn::And(sum, wide((1 << Number::width) - 1));
-    const WideVec n = inverse_sqrt(radicand);
+    const Vec<I32> sum = hn::Add(square(vx), hn::Add(Set<I32>(row.y_squared), square(vz)));
+    const Vec<I32> radicand = hn::And(sum, Set<I32>((1 << Number::width) - 1));
+    const Vec<I32> n = inverse_sqrt(radicand);
 
     const Directions to = {product<fraction + spare_bits>(vx, n),
                            hn::Neg(product<fraction + spare_bits>(vy, n)),
                            product<fraction + spare_bits>(vz, n)};
-    const WideVec largest = hn::Max(hn::Abs(to.x), hn::Max(hn::Abs(to.y), hn::Abs(to.z)));
+    const Vec<I32> largest = hn::Max(hn::Abs(to.x), hn::Max(hn::Abs(to.y), hn::Abs(to.z)));
     const auto fits =
-        hn::And(hn::Gt(wide(longest), largest), hn::Gt(radicand, wide(least_radicand - 1)));
+        hn::And(hn::Gt(Set<I32>(longest), largest), hn::Gt(radicand, Set<I32>(least_radicand - 1)));
     bounded = bounded && hn::AllTrue(d, fits);
     return to;
 }
 
-} // namespace raymarch::engine::fractal::HWY_NAMESPACE
+} // namespace raymarch::engine::fractal::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The stage of ray_marcher.hpp in vectors. Rays that need many steps more than their neighbours
-/// are put aside and marched together. Compiled once for each instruction set.
+/// are put aside and marched together.
 #if defined(RAYMARCH_ENGINE_FRACTAL_FAST_RAY_MARCHER) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYMARCH_ENGINE_FRACTAL_FAST_RAY_MARCHER
 #undef RAYMARCH_ENGINE_FRACTAL_FAST_RAY_MARCHER
@@ -9,7 +9,7 @@
 #define RAYMARCH_ENGINE_FRACTAL_FAST_RAY_MARCHER
 #endif
 
-#include "engine/fractal/fast/compaction-inl.hpp"
+#include "engine/fast/compress-inl.hpp"
 #include "engine/fractal/fast/scenes-inl.hpp"
 #include "engine/fractal/fast/shading-inl.hpp"
 
@@ -17,7 +17,7 @@
 #include <array>
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::fractal::HWY_NAMESPACE
+namespace raymarch::engine::fractal::fast::HWY_NAMESPACE
 {
 
 /// Vectors of rays in flight: the steps of one ray wait for each other, those of others do not.
@@ -31,12 +31,11 @@ class Marcher
 {
     using Tag = typename Rays::Tag;
     using Lane = hn::TFromD<Tag>;
-    using Vec = hn::Vec<Tag>;
-    static constexpr std::size_t lanes = HWY_LANES(Lane);
+    using V = Vec<Tag>;
 
   public:
     /// Rays that are begun together.
-    static constexpr std::size_t batch = in_flight * lanes;
+    static constexpr std::size_t batch = in_flight * lanes<Tag>;
 
     /// `first` is the distance of `origin`: of a ray that goes on. Endings go to `endings`.
     Marcher(const Point& origin, Number first, Surface surface, Ending* endings) noexcept
@@ -50,8 +49,8 @@ class Marcher
     struct Bundle
     {
         Rays rays;
-        Vec depth;
-        Vec alive; ///< -1, else 0
+        V depth;
+        V alive; ///< -1, else 0
     };
     using Bundles = std::array<Bundle, in_flight>;
 
@@ -78,7 +77,7 @@ class Marcher
         run<Depths::Same>(bundles, enough_to_go_on);
         for (std::size_t i = 0; i < in_flight && starts[i].count > 0; ++i) {
             hn::StoreU(ended(bundles[i]), EndingTag(), endings_ + starts[i].place);
-            const Vec places = hn::Iota(d, static_cast<Lane>(starts[i].place));
+            const V places = hn::Iota(d, static_cast<Lane>(starts[i].place));
             put_aside(bundles[i], places);
         }
         while (waiting_ >= batch)
@@ -94,10 +93,10 @@ class Marcher
 
   private:
     using EndingTag = hn::Rebind<Ending, Tag>;
-    /// Where so few rays of a batch go on, they wait for others.
+    /// So few rays of a batch do not go on: they wait for others.
     static constexpr std::size_t enough_to_go_on = batch / 6;
 
-    /// Whether all rays have made as many steps.
+    /// Says whether all rays have made as many steps.
     enum class Depths : bool { Same, Own };
 
     /// Steps until at most `few` are alive. Beyond the last depth there is no query: who gets there
@@ -111,7 +110,7 @@ class Marcher
         do {
             alive = 0;
             for (Bundle& bundle : bundles) {
-                const Vec s = bundle.rays.distance();
+                const V s = bundle.rays.distance();
                 if constexpr (depths == Depths::Own)
                     bundle.alive = hn::And(
                         bundle.alive,
@@ -128,7 +127,7 @@ class Marcher
     }
 
     /// The endings of rays that are not alive.
-    HWY_INLINE hn::Vec<EndingTag> ended(const Bundle& bundle) const
+    HWY_INLINE Vec<EndingTag> ended(const Bundle& bundle) const
     {
         const EndingTag d;
         const auto depth = Rays::shortened(bundle.depth);
@@ -143,19 +142,17 @@ class Marcher
         return hn::Or(level, hn::ShiftLeft<queries_shift>(queries));
     }
 
-    HWY_INLINE void put_aside(Bundle& bundle, Vec places)
+    HWY_INLINE void put_aside(Bundle& bundle, V places)
     {
-        const Tag d;
-        const Compaction alive(bundle.alive);
-        const std::size_t bytes = alive.bytes();
-        if (bytes == 0)
+        const Compress<Tag> alive(hn::MaskFromVec(bundle.alive));
+        if (alive.count() == 0)
             return;
         std::size_t field = 0;
-        const auto put = [&](Vec v) { alive.store(v, d, aside_[field++].data() + waiting_); };
+        const auto put = [&](V v) { alive.store(v, aside_[field++].data() + waiting_); };
         bundle.rays.each_field(put);
         put(bundle.depth);
         put(places);
-        waiting_ += bytes / sizeof(Lane);
+        waiting_ += alive.count();
     }
 
     HWY_INLINE void take_up(std::size_t few)
@@ -164,11 +161,11 @@ class Marcher
         const std::size_t taken = std::min(waiting_, batch);
         waiting_ -= taken;
         Bundles bundles;
-        std::array<Vec, in_flight> places;
+        std::array<V, in_flight> places;
         for (std::size_t i = 0; i < in_flight; ++i) {
-            const std::size_t first = i * lanes;
+            const std::size_t first = i * lanes<Tag>;
             std::size_t field = 0;
-            const auto take = [&](Vec& v) {
+            const auto take = [&](V& v) {
                 v = hn::LoadU(d, aside_[field++].data() + waiting_ + first);
             };
             bundles[i].rays.each_field(take);
@@ -178,11 +175,11 @@ class Marcher
         }
         run<Depths::Own>(bundles, few);
         for (std::size_t i = 0; i < in_flight; ++i) {
-            HWY_ALIGN std::array<Ending, lanes> endings;
-            HWY_ALIGN std::array<Lane, lanes> at;
+            HWY_ALIGN std::array<Ending, lanes<Tag>> endings;
+            HWY_ALIGN std::array<Lane, lanes<Tag>> at;
             hn::Store(ended(bundles[i]), EndingTag(), endings.data());
             hn::Store(places[i], d, at.data());
-            for (std::size_t lane = 0; i * lanes + lane < taken && lane < lanes; ++lane)
+            for (std::size_t lane = 0; i * lanes<Tag> + lane < taken && lane < lanes<Tag>; ++lane)
                 endings_[static_cast<std::size_t>(at[lane])] = endings[lane];
             put_aside(bundles[i], places[i]);
         }
@@ -197,7 +194,7 @@ class Marcher
     HWY_ALIGN std::array<std::array<Lane, 3 * batch>, Rays::fields + 2> aside_;
 };
 
-} // namespace raymarch::engine::fractal::HWY_NAMESPACE
+} // namespace raymarch::engine::fractal::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace raymarch::engine::mandelbulb
+namespace raymarch::engine::mandelbulb::fast
 {
 
 /// Bounds of errors; P = r^(d-1) and Q = r^d of the point in question.
@@ -28,7 +28,7 @@ struct Bounds
     double distance_unit; ///< absolute, of a distance
 };
 
-/// What the bounds presuppose.
+/// The bounds presuppose this.
 [[nodiscard]] constexpr bool bounded(const Arithmetic& with) noexcept
 {
     return with.steps >= 20 && with.kept_bits >= 20 && with.scale == 0;
@@ -56,4 +56,4 @@ struct Bounds
             .distance_unit = 2 * unit};
 }
 
-} // namespace raymarch::engine::mandelbulb
+} // namespace raymarch::engine::mandelbulb::fast

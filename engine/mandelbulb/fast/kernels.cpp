@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The stages composed, as mandelbulb.cpp does it, for rays in vectors. Highway compiles this file
 // once for each instruction set.
-#include "engine/mandelbulb/fast/kernels.hpp"
+#include "engine/fast/kernels.hpp"
 
-#include "engine/kernel_targets.hpp"
+#include "engine/fast/targets.hpp"
 #include "engine/mandelbulb/colouring.hpp"
 #include "engine/mandelbulb/mandelbulb.hpp"
 #include "engine/mandelbulb/ray_generator.hpp"
@@ -23,14 +23,14 @@
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::mandelbulb::HWY_NAMESPACE
+namespace raymarch::engine::mandelbulb::fast::HWY_NAMESPACE
 {
 
-/// Where the ends of rays go.
-class Picture
+/// The pixels and costs that rays end in.
+class Output
 {
   public:
-    Picture(const Frame& frame, PictureSize size, const Canvas& canvas)
+    Output(const Frame& frame, PictureSize size, const Canvas& canvas)
         : frame_(frame)
         , size_(size)
         , canvas_(canvas)
@@ -118,18 +118,18 @@ class Undecided
 struct ExactRays
 {
     Undecided& source;
-    Picture& picture;
+    Output& output;
 
     bool next(Ray& ray)
     {
         if (!source.next(ray.pixel))
             return false;
-        ray.direction = unit_vector(picture.vector(ray.pixel));
+        ray.direction = unit_vector(output.vector(ray.pixel));
         return true;
     }
     void finish(std::size_t pixel, Outcome outcome, int evaluations, int index)
     {
-        picture.finish(pixel, outcome, evaluations, index);
+        output.finish(pixel, outcome, evaluations, index);
     }
 };
 
@@ -137,9 +137,9 @@ struct ExactRays
 class FilteredRays
 {
   public:
-    FilteredRays(Pixels& source, Picture& picture, Undecided& undecided)
+    FilteredRays(Pixels& source, Output& output, Undecided& undecided)
         : source_(source)
-        , picture_(picture)
+        , output_(output)
         , undecided_(undecided)
     {}
 
@@ -151,12 +151,12 @@ class FilteredRays
             drained_ = true;
             return false;
         }
-        ray.direction = picture_.vector(ray.pixel);
+        ray.direction = output_.vector(ray.pixel);
         return true;
     }
     void finish(std::size_t pixel, Outcome outcome, int evaluations, int index)
     {
-        picture_.finish(pixel, outcome, evaluations, index);
+        output_.finish(pixel, outcome, evaluations, index);
         ++decided_;
     }
     void leave(std::size_t pixel)
@@ -170,7 +170,7 @@ class FilteredRays
 
   private:
     Pixels& source_;
-    Picture& picture_;
+    Output& output_;
     Undecided& undecided_;
     std::size_t decided_ = 0;
     std::size_t given_up_ = 0;
@@ -205,23 +205,23 @@ void draw_in(const Frame& frame, const Region& region, const Canvas& canvas)
         .origin = origin,
         .first = first,
         .epsilon = std::max<typename Format::Coordinate>(least, first >> frame.epsilon_shift)};
-    Picture picture(frame, region.size, canvas);
+    Output output(frame, region.size, canvas);
     Pixels pixels(region);
     const bool hit = first <= course.epsilon;
     const bool miss = first > farthest<Format>;
     if (hit || miss || frame.max_evaluations == 1) {
         const Outcome outcome = hit ? Outcome::Hit : miss ? Outcome::Miss : Outcome::Limit;
         for (std::size_t pixel = 0; pixels.next(pixel);)
-            picture.finish(pixel, outcome, 1, index);
+            output.finish(pixel, outcome, 1, index);
         return;
     }
     Undecided undecided(pixels);
-    ExactRays exact{undecided, picture};
+    ExactRays exact{undecided, output};
 #if HWY_HAVE_FLOAT64
     const RealCourse real = real_course(course);
     // Else no hit can be told from a ray that has yet to come to it.
     if (bounded(course.with) && 4 * real.bounds.q < real.epsilon) {
-        FilteredRays filtered(pixels, picture, undecided);
+        FilteredRays filtered(pixels, output, undecided);
         while (!filtered.done()) {
             Filter<FilteredRays>(real, filtered).run();
             if (!filtered.worthwhile())
@@ -235,30 +235,20 @@ void draw_in(const Frame& frame, const Region& region, const Canvas& canvas)
     march_all(course, exact);
 }
 
-void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept
+void draw(const Picture& picture, const Region& region, const Canvas& canvas) noexcept
 {
-    const Frame frame = latch(words);
+    const auto& frame = frame_of<Frame>(picture);
     if (frame.form == Form::Q8_57)
         draw_in<Q57<Int128>>(frame, region, canvas);
     else
         draw_in<Q64<Int128>>(frame, region, canvas);
 }
 
-} // namespace raymarch::engine::mandelbulb::HWY_NAMESPACE
+} // namespace raymarch::engine::mandelbulb::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
 
 #if HWY_ONCE
-#include "engine/kernel_table.hpp"
-
-namespace raymarch::engine::mandelbulb
-{
-
-std::span<const Kernel> kernels() noexcept
-{
-    static constexpr std::array table = {RAYMARCH_KERNELS(draw)};
-    return table;
-}
-
-} // namespace raymarch::engine::mandelbulb
+#include "engine/fast/kernel_table.hpp"
+RAYMARCH_DEFINE_KERNELS(mandelbulb)
 #endif

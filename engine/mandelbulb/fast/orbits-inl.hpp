@@ -2,8 +2,7 @@
 /// @file
 /// iteration.hpp and ray_marcher.hpp for many rays at once. Orbits end after different numbers of
 /// iterations, and rays after different numbers of evaluations: each stage packs those that need
-/// it into full vectors, and whatever ends makes room for the next. Compiled once for each
-/// instruction set.
+/// it into full vectors, and whatever ends makes room for the next.
 #if defined(RAYMARCH_ENGINE_MANDELBULB_FAST_ORBITS) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYMARCH_ENGINE_MANDELBULB_FAST_ORBITS
 #undef RAYMARCH_ENGINE_MANDELBULB_FAST_ORBITS
@@ -18,7 +17,7 @@
 #include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::mandelbulb::HWY_NAMESPACE
+namespace raymarch::engine::mandelbulb::fast::HWY_NAMESPACE
 {
 
 inline constexpr std::size_t slots = 64;                 ///< rays under way
@@ -49,19 +48,19 @@ class Selection
     {
         Batch result;
         for (std::size_t j = 0; j < in_flight; ++j)
-            result[j] = hn::GatherIndex(Words(), column.data(), vector(at, j));
+            result[j] = hn::GatherIndex(U64(), column.data(), vector(at, j));
         return result;
     }
     HWY_INLINE void scatter(const Batch& values, Column& column, std::size_t at) const
     {
         for (std::size_t j = 0; j < in_flight; ++j)
-            hn::ScatterIndex(values[j], Words(), column.data(), vector(at, j));
+            hn::ScatterIndex(values[j], U64(), column.data(), vector(at, j));
     }
 
   private:
-    [[nodiscard]] HWY_INLINE hn::Vec<SignedWords> vector(std::size_t at, std::size_t j) const
+    [[nodiscard]] HWY_INLINE Vec<I64> vector(std::size_t at, std::size_t j) const
     {
-        return hn::LoadU(SignedWords(), indices_.data() + at + j * lanes);
+        return hn::LoadU(I64(), indices_.data() + at + j * lanes<U64>);
     }
 
     std::array<std::int64_t, slots + batch> indices_; // NOLINT(*-member-init): up to count_
@@ -75,7 +74,7 @@ struct Ray
     std::size_t pixel;
 };
 
-/// What all rays share.
+/// All rays share these numbers.
 template <typename Format>
 struct Course
 {
@@ -145,9 +144,9 @@ class Marcher
     void iterate(const Selection& going)
     {
         const Arithmetic& with = course_.with;
-        const Vec turns = all(static_cast<std::uint64_t>(with.power));
+        const Vec<U64> turns = Set<U64>(with.power);
         const auto turned = [&](Batch angle) {
-            for (Vec& each : angle)
+            for (Vec<U64>& each : angle)
                 each = multiply_low(each, turns);
             return angle;
         };
@@ -268,7 +267,7 @@ class Marcher
     std::array<int, slots> evaluations_{};
 };
 
-} // namespace raymarch::engine::mandelbulb::HWY_NAMESPACE
+} // namespace raymarch::engine::mandelbulb::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

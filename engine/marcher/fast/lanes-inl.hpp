@@ -1,56 +1,35 @@
 // SPDX-License-Identifier: MIT
-// Vectors of 32-bit lanes and the 64-bit numbers between them. Included by kernel.cpp alone, once
-// for each instruction set: no include guard.
+/// @file
+/// Vectors of 32-bit lanes and the 64-bit numbers between them.
+#if defined(RAYMARCH_ENGINE_MARCHER_FAST_LANES) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYMARCH_ENGINE_MARCHER_FAST_LANES
+#undef RAYMARCH_ENGINE_MARCHER_FAST_LANES
+#else
+#define RAYMARCH_ENGINE_MARCHER_FAST_LANES
+#endif
+
+#include "engine/fast/vectors-inl.hpp"
+#include "engine/marcher/formats.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::marcher::HWY_NAMESPACE
+namespace raymarch::engine::marcher::fast::HWY_NAMESPACE
 {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using IntTag = hn::ScalableTag<std::int32_t>;
-using WordTag = hn::ScalableTag<std::uint32_t>;
-using LongTag = hn::ScalableTag<std::uint64_t>;
-using Ints = hn::Vec<IntTag>;    ///< raws
-using Words = hn::Vec<WordTag>;  ///< unsigned 32-bit numbers
-using Longs = hn::Vec<LongTag>;  ///< half as many 64-bit numbers
-using Chosen = hn::Mask<IntTag>; ///< one truth a lane
-
-constexpr std::size_t lanes = hn::MaxLanes(IntTag());
+using namespace engine::fast::HWY_NAMESPACE;
 
 /// One 64-bit number a lane, in two halves as the widening multiplication gives them.
 struct Wide
 {
-    Longs even;
-    Longs odd;
+    Vec<U64> even;
+    Vec<U64> odd;
 };
 
 struct Points
 {
-    Ints x;
-    Ints y;
-    Ints z;
+    Vec<I32> x;
+    Vec<I32> y;
+    Vec<I32> z;
 };
-
-HWY_INLINE Ints all(std::int32_t value)
-{
-    return hn::Set(IntTag(), value);
-}
-
-HWY_INLINE Words all_words(std::uint32_t value)
-{
-    return hn::Set(WordTag(), value);
-}
-
-HWY_INLINE Ints as_ints(Words v)
-{
-    return hn::BitCast(IntTag(), v);
-}
-
-HWY_INLINE Words as_words(Ints v)
-{
-    return hn::BitCast(WordTag(), v);
-}
 
 HWY_INLINE Points add(const Points& a, const Points& b)
 {
@@ -62,24 +41,24 @@ HWY_INLINE Points subtract(const Points& a, const Points& b)
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-HWY_INLINE Points all(const Point& p)
+HWY_INLINE Points points(const Point& p)
 {
-    return {all(p.x.raw()), all(p.y.raw()), all(p.z.raw())};
+    return {Set<I32>(p.x.raw()), Set<I32>(p.y.raw()), Set<I32>(p.z.raw())};
 }
 
 /// The odd lanes where the even ones were; multiplications look only there.
 template <class V>
 HWY_INLINE V odd_lanes(V v)
 {
-    return hn::BitCast(hn::DFromV<V>(), hn::ShiftRight<32>(hn::BitCast(LongTag(), v)));
+    return hn::BitCast(hn::DFromV<V>(), hn::ShiftRight<32>(hn::BitCast(U64(), v)));
 }
 
-HWY_INLINE Longs multiply_even(Ints a, Ints b)
+HWY_INLINE Vec<U64> multiply_even(Vec<I32> a, Vec<I32> b)
 {
-    return hn::BitCast(LongTag(), hn::MulEven(a, b));
+    return hn::BitCast(U64(), hn::MulEven(a, b));
 }
 
-HWY_INLINE Longs multiply_even(Words a, Words b)
+HWY_INLINE Vec<U64> multiply_even(Vec<U32> a, Vec<U32> b)
 {
     return hn::MulEven(a, b);
 }
@@ -97,26 +76,26 @@ HWY_INLINE Wide add(const Wide& a, const Wide& b)
 }
 
 /// Shifts right by a number for each lane; the upper 32 bits of the result must not matter.
-HWY_INLINE Wide shift_right(const Wide& v, Words by)
+HWY_INLINE Wide shift_right(const Wide& v, Vec<U32> by)
 {
-    const Longs counts = hn::BitCast(LongTag(), by);
-    const Longs low = hn::And(counts, hn::Set(LongTag(), 0xFFFF'FFFFU));
+    const Vec<U64> counts = hn::BitCast(U64(), by);
+    const Vec<U64> low = hn::And(counts, Set<U64>(0xFFFF'FFFFU));
     return {v.even >> low, v.odd >> hn::ShiftRight<32>(counts)};
 }
 
 /// The lower 32 bits of each.
-HWY_INLINE Words lower(const Wide& v)
+HWY_INLINE Vec<U32> lower(const Wide& v)
 {
-    return hn::OddEven(hn::BitCast(WordTag(), hn::ShiftLeft<32>(v.odd)),
-                       hn::BitCast(WordTag(), v.even));
+    return hn::OddEven(hn::BitCast(U32(), hn::ShiftLeft<32>(v.odd)), hn::BitCast(U32(), v.even));
 }
 
 /// The upper 32 bits of each.
-HWY_INLINE Words upper(const Wide& v)
+HWY_INLINE Vec<U32> upper(const Wide& v)
 {
-    return hn::OddEven(hn::BitCast(WordTag(), v.odd),
-                       hn::BitCast(WordTag(), hn::ShiftRight<32>(v.even)));
+    return hn::OddEven(hn::BitCast(U32(), v.odd), hn::BitCast(U32(), hn::ShiftRight<32>(v.even)));
 }
 
-} // namespace raymarch::engine::marcher::HWY_NAMESPACE
+} // namespace raymarch::engine::marcher::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#endif

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace raymarch::engine::marcher
+namespace raymarch::engine::marcher::fast
 {
 namespace
 {
@@ -174,4 +174,4 @@ Span BoxOutline::of_row(int y) const noexcept
     return left > right ? Span{0, 0} : between(left, right, size_.width);
 }
 
-} // namespace raymarch::engine::marcher
+} // namespace raymarch::engine::marcher::fast

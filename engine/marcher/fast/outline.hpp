@@ -11,7 +11,7 @@
 
 #include <array>
 
-namespace raymarch::engine::marcher
+namespace raymarch::engine::marcher::fast
 {
 
 /// Pixels x from `first` to before `end`.
@@ -21,7 +21,7 @@ struct Span
     int end;
 };
 
-/// Of a scene that fills space.
+/// A scene that fills space has no outline.
 struct NoOutline
 {
     int width;
@@ -40,7 +40,7 @@ class BallOutline
 
     /// The t beyond which no ray inside the outline hits.
     [[nodiscard]] Coordinate farthest() const noexcept { return farthest_; }
-    /// Whether up to there all points of these rays are less than 4 units from the middle.
+    /// True if up to there all points of these rays are less than 4 units from the middle.
     [[nodiscard]] bool near() const noexcept { return near_; }
 
   private:
@@ -74,4 +74,4 @@ class BoxOutline
     std::array<Edge, 12> edges_{};
 };
 
-} // namespace raymarch::engine::marcher
+} // namespace raymarch::engine::marcher::fast

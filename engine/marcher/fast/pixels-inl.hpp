@@ -1,9 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Colours to the picture's bytes. Included by kernel.cpp alone, once for each instruction set: no
-// include guard.
+/// @file
+/// Colours to the picture's bytes.
+#if defined(RAYMARCH_ENGINE_MARCHER_FAST_PIXELS) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYMARCH_ENGINE_MARCHER_FAST_PIXELS
+#undef RAYMARCH_ENGINE_MARCHER_FAST_PIXELS
+#else
+#define RAYMARCH_ENGINE_MARCHER_FAST_PIXELS
+#endif
+
+#include "engine/image.hpp"
+#include "engine/marcher/fast/lanes-inl.hpp"
+#include "engine/model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::marcher::HWY_NAMESPACE
+namespace raymarch::engine::marcher::fast::HWY_NAMESPACE
 {
 
 /// A colour is red, green and blue from the lowest byte on.
@@ -65,5 +79,7 @@ class PixelWriter
     std::size_t step_;
 };
 
-} // namespace raymarch::engine::marcher::HWY_NAMESPACE
+} // namespace raymarch::engine::marcher::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#endif

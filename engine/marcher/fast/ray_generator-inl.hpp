@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The ray generator stage on vectors: a row's directions. Included by kernel.cpp alone, once for
-// each instruction set: no include guard.
+/// @file
+/// The ray generator stage on vectors: a row's directions.
+#if defined(RAYMARCH_ENGINE_MARCHER_FAST_RAY_GENERATOR) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYMARCH_ENGINE_MARCHER_FAST_RAY_GENERATOR
+#undef RAYMARCH_ENGINE_MARCHER_FAST_RAY_GENERATOR
+#else
+#define RAYMARCH_ENGINE_MARCHER_FAST_RAY_GENERATOR
+#endif
+
+#include "engine/marcher/fast/inverse_sqrt-inl.hpp"
+#include "engine/marcher/frame.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::marcher::HWY_NAMESPACE
+namespace raymarch::engine::marcher::fast::HWY_NAMESPACE
 {
 
 /// The directions before they are normalised, for `lanes` pixels side by side at a time: they are
@@ -18,14 +27,14 @@ class RowOfDirections
         const auto u = static_cast<std::uint32_t>(2 * x + 1 - size.width);
         const auto v = static_cast<std::uint32_t>(size.height - 1 - 2 * y);
         const auto stride = static_cast<std::uint32_t>(2 * step);
-        const auto start = [&](Ints& next, Ints& to_next, std::int32_t right, std::int32_t up,
-                               std::int32_t forward) HWY_ATTR {
+        const auto start = [&](Vec<I32>& next, Vec<I32>& to_next, std::int32_t right,
+                               std::int32_t up, std::int32_t forward) HWY_ATTR {
             const auto first = u * static_cast<std::uint32_t>(right) +
                                v * static_cast<std::uint32_t>(up) -
                                size.height * static_cast<std::uint32_t>(forward);
             const std::uint32_t slope = stride * static_cast<std::uint32_t>(right);
-            next = as_ints(all_words(first) + hn::Iota(WordTag(), 0) * all_words(slope));
-            to_next = as_ints(all_words(slope * static_cast<std::uint32_t>(lanes)));
+            next = hn::BitCast(I32(), Set<U32>(first) + hn::Iota(U32(), 0) * Set<U32>(slope));
+            to_next = hn::BitCast(I32(), Set<U32>(slope * static_cast<std::uint32_t>(lanes<I32>)));
         };
         start(next_.x, stride_.x, frame.right.x, frame.up.x, frame.forward.x);
         start(next_.y, stride_.y, frame.right.y, frame.up.y, frame.forward.y);
@@ -45,5 +54,7 @@ class RowOfDirections
     Points stride_;
 };
 
-} // namespace raymarch::engine::marcher::HWY_NAMESPACE
+} // namespace raymarch::engine::marcher::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#endif

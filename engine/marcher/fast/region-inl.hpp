@@ -1,10 +1,30 @@
 // SPDX-License-Identifier: MIT
-// The stages composed: a region's rays are generated row by row, marched a pool at a time, shaded
-// where they end, and written to the picture. Included by kernel.cpp alone, once for each
-// instruction set: no include guard.
+/// @file
+/// The stages composed: a region's rays are generated row by row, marched a pool at a time, shaded
+/// where they end, and written to the picture.
+#if defined(RAYMARCH_ENGINE_MARCHER_FAST_REGION) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYMARCH_ENGINE_MARCHER_FAST_REGION
+#undef RAYMARCH_ENGINE_MARCHER_FAST_REGION
+#else
+#define RAYMARCH_ENGINE_MARCHER_FAST_REGION
+#endif
+
+#include "engine/marcher/fast/outline.hpp"
+#include "engine/marcher/fast/pixels-inl.hpp"
+#include "engine/marcher/fast/ray_generator-inl.hpp"
+#include "engine/marcher/fast/ray_marcher-inl.hpp"
+#include "engine/marcher/fast/shading-inl.hpp"
+#include "engine/marcher/fast/surface_vectors-inl.hpp"
+#include "engine/marcher/frame.hpp"
+#include "engine/marcher/scene_query.hpp"
+#include "engine/marcher/shading.hpp"
+#include "engine/marcher/surface_vectors.hpp"
+
+#include <algorithm>
+#include <array>
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::marcher::HWY_NAMESPACE
+namespace raymarch::engine::marcher::fast::HWY_NAMESPACE
 {
 
 /// Pixels side by side (a step apart) whose rays have slots side by side.
@@ -25,9 +45,9 @@ class RegionDrawing
         , region_(region)
         , pixels_(canvas, region.step)
         , outline_(outline)
-        , view_{all(frame.eye),
-                all(counting == Counting::On ? max_distance.raw() : outline.farthest().raw())}
-        , light_(all(frame.light))
+        , view_{points(frame.eye),
+                Set<I32>(counting == Counting::On ? max_distance.raw() : outline.farthest().raw())}
+        , light_(points(frame.light))
     {}
 
     void draw() noexcept
@@ -37,7 +57,7 @@ class RegionDrawing
         const bool lost = d > max_distance;
         const bool hit = !lost && d < surface_distance;
         const std::uint32_t colour = hit ? colour_at_eye() : 0;
-        first_t_ = all(d.raw());
+        first_t_ = Set<I32>(d.raw());
         for (int y = region_.y; y < region_.y + region_.height; y += region_.step)
             if (lost || hit)
                 finish({row_begin(y), columns()}, colour, 1);
@@ -96,10 +116,10 @@ class RegionDrawing
         RowOfDirections directions(frame_, region_.size,
                                    static_cast<int>(region_.x + before * step), y, region_.step);
         while (before < after) {
-            if (pool_.count + lanes > Rays::capacity || run_count_ == runs_.size())
+            if (pool_.count + lanes < I32 >> Rays::capacity || run_count_ == runs_.size())
                 finish_rays();
             const std::size_t room = Rays::capacity - pool_.count;
-            const std::size_t count = std::min(after - before, room / lanes * lanes);
+            const std::size_t count = std::min(after - before, room / lanes<I32> * lanes<I32>);
             runs_[run_count_++] = {begin + before * step, count};
             add_rays(directions, count);
             before += count;
@@ -109,15 +129,15 @@ class RegionDrawing
     HWY_INLINE void add_rays(RowOfDirections& directions, std::size_t count) noexcept
     {
         Rays& rays = pool_.flying;
-        for (std::size_t at = pool_.count; at < pool_.count + count; at += lanes) {
+        for (std::size_t at = pool_.count; at < pool_.count + count; at += lanes<I32>) {
             const Points direction = directions.next();
-            hn::StoreU(hn::ShiftLeft<direction_shift>(direction.x), IntTag(), &rays.x[at]);
-            hn::StoreU(hn::ShiftLeft<direction_shift>(direction.y), IntTag(), &rays.y[at]);
-            hn::StoreU(hn::ShiftLeft<direction_shift>(direction.z), IntTag(), &rays.z[at]);
-            hn::StoreU(first_t_, IntTag(), &rays.t[at]);
-            hn::StoreU(hn::Iota(IntTag(), static_cast<std::int32_t>(at)), IntTag(), &rays.slot[at]);
+            hn::StoreU(hn::ShiftLeft<direction_shift>(direction.x), I32(), &rays.x[at]);
+            hn::StoreU(hn::ShiftLeft<direction_shift>(direction.y), I32(), &rays.y[at]);
+            hn::StoreU(hn::ShiftLeft<direction_shift>(direction.z), I32(), &rays.z[at]);
+            hn::StoreU(first_t_, I32(), &rays.t[at]);
+            hn::StoreU(hn::Iota(I32(), static_cast<std::int32_t>(at)), I32(), &rays.slot[at]);
             if constexpr (counting == Counting::On)
-                hn::StoreU(all(1), IntTag(), &rays.spent[at]);
+                hn::StoreU(Set<I32>(1), I32(), &rays.spent[at]);
         }
         pool_.count += count;
     }
@@ -129,8 +149,8 @@ class RegionDrawing
         for (std::size_t i = 0; i < pool_.count; ++i)
             set(pool_.flying.slot[i], 0, max_steps);
         pool_.count = 0;
-        for (std::size_t at = pool_.first_ended; at < Rays::room; at += lanes)
-            shade_ended(at, std::min(lanes, Rays::room - at));
+        for (std::size_t at = pool_.first_ended; at < Rays::room; at += lanes<I32>)
+            shade_ended(at, std::min(lanes<I32>, Rays::room - at));
         pool_.first_ended = Rays::room;
 
         std::size_t slot = 0;
@@ -148,15 +168,15 @@ class RegionDrawing
     void shade_ended(std::size_t at, std::size_t count) noexcept
     {
         const Rays& rays = pool_.ended;
-        const Ints t = hn::LoadU(IntTag(), &rays.t[at]);
+        const Vec<I32> t = hn::LoadU(I32(), &rays.t[at]);
         const Points p = position(view_.eye, rays, at, t);
-        const Ints bright =
+        const Vec<I32> bright =
             HWY_NAMESPACE::brightness(HWY_NAMESPACE::surface_normal<typename Scene::Near>(p),
                                       HWY_NAMESPACE::light_direction(p, light_));
-        const Ints lost = hn::VecFromMask(IntTag(), t > view_.farthest);
-        alignas(64) std::array<std::uint32_t, lanes> colours;
-        hn::Store(hn::AndNot(as_words(lost), HWY_NAMESPACE::shade(frame_.colour, bright)),
-                  WordTag(), colours.data());
+        const Vec<I32> lost = hn::VecFromMask(I32(), t > view_.farthest);
+        alignas(64) std::array<std::uint32_t, lanes<I32>> colours;
+        hn::Store(hn::AndNot(hn::BitCast(U32(), lost), HWY_NAMESPACE::shade(frame_.colour, bright)),
+                  U32(), colours.data());
         for (std::size_t i = 0; i < count; ++i)
             set(rays.slot[at + i], colours[i], rays.spent[at + i]);
     }
@@ -175,9 +195,9 @@ class RegionDrawing
     Outline outline_;
     View view_;
     Points light_;
-    Ints first_t_{};
+    Vec<I32> first_t_{};
     Pool pool_;
-    // What the pool's rays have come to, by the slots that they were given in turn.
+    // The pool's rays have come to this, by the slots that they were given in turn.
     std::array<std::uint32_t, Rays::capacity> colours_;
     std::array<std::int32_t, Rays::capacity> queries_; ///< where they are counted
     std::array<Run, 64> runs_;
@@ -212,14 +232,16 @@ void draw_scene(const Frame& frame, const Region& region, const Canvas& canvas) 
 }
 
 /// See Kernel.
-void draw(WordSpan words, const Region& region, const Canvas& canvas) noexcept
+void draw(const Picture& picture, const Region& region, const Canvas& canvas) noexcept
 {
-    const Frame frame = latch(words);
+    const auto& frame = frame_of<Frame>(picture);
     if (canvas.costs.empty())
         draw_scene<Counting::Off>(frame, region, canvas);
     else
         draw_scene<Counting::On>(frame, region, canvas);
 }
 
-} // namespace raymarch::engine::marcher::HWY_NAMESPACE
+} // namespace raymarch::engine::marcher::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#endif

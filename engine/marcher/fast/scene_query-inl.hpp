@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The scene query stage on vectors. Each scene is split in two: `term` of one coordinate, and
-// `combine` of three terms to a distance. A normal's four taps share their six terms. Included by
-// kernel.cpp alone, once for each instruction set: no include guard.
+/// @file
+/// The scene query stage on vectors. Each scene is split in two: `term` of one coordinate, and
+/// `combine` of three terms to a distance. A normal's four taps share their six terms.
+#if defined(RAYMARCH_ENGINE_MARCHER_FAST_SCENE_QUERY) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYMARCH_ENGINE_MARCHER_FAST_SCENE_QUERY
+#undef RAYMARCH_ENGINE_MARCHER_FAST_SCENE_QUERY
+#else
+#define RAYMARCH_ENGINE_MARCHER_FAST_SCENE_QUERY
+#endif
+
+#include "engine/marcher/fast/inverse_sqrt-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace raymarch::engine::marcher::HWY_NAMESPACE
+namespace raymarch::engine::marcher::fast::HWY_NAMESPACE
 {
 
 /// With Squares::Small: at points less than 4 units from the middle.
@@ -19,48 +27,50 @@ struct SphereOf
     static constexpr std::size_t group = 2;
     static constexpr int steps_at_once = 3;
 
-    static HWY_INLINE Term term(Ints c) { return square(c); }
-    static HWY_INLINE Ints combine(const Term& x, const Term& y, const Term& z)
+    static HWY_INLINE Term term(Vec<I32> c) { return square(c); }
+    static HWY_INLINE Vec<I32> combine(const Term& x, const Term& y, const Term& z)
     {
-        return length<squares>(add(add(x, y), z)) - all(ratio(1, 1).raw());
+        return length<squares>(add(add(x, y), z)) - Set<I32>(ratio(1, 1).raw());
     }
 };
 
 struct Cube
 {
     using Near = Cube;
-    using Term = Ints;
+    using Term = Vec<I32>;
     static constexpr bool far = true;
     static constexpr std::size_t group = 4;
     static constexpr int steps_at_once = 5;
 
-    static HWY_INLINE Term term(Ints c) { return hn::Abs(c); }
-    static HWY_INLINE Ints combine(Term x, Term y, Term z)
+    static HWY_INLINE Term term(Vec<I32> c) { return hn::Abs(c); }
+    static HWY_INLINE Vec<I32> combine(Term x, Term y, Term z)
     {
-        return hn::Max(hn::Max(x, y), z) - all(ratio(1, 2).raw());
+        return hn::Max(hn::Max(x, y), z) - Set<I32>(ratio(1, 2).raw());
     }
 };
 
 /// How far `c` is from the nearest multiple of a power of two, times 2^shift: the shift drops the
 /// cell's number and makes the rest signed.
 template <int shift>
-HWY_INLINE Words from_nearest(Ints c)
+HWY_INLINE Vec<U32> from_nearest(Vec<I32> c)
 {
-    return as_words(hn::Abs(hn::ShiftLeft<shift>(c))); // up to 2^31, which only unsigned holds
+    return hn::BitCast(U32(),
+                       hn::Abs(hn::ShiftLeft<shift>(c))); // up to 2^31, which only unsigned holds
 }
 
 struct InfiniteCube
 {
     using Near = InfiniteCube;
-    using Term = Words; ///< Q0.32
+    using Term = Vec<U32>; ///< Q0.32
     static constexpr bool far = false;
     static constexpr std::size_t group = 4;
     static constexpr int steps_at_once = 6;
 
-    static HWY_INLINE Term term(Ints c) { return from_nearest<8>(c); }
-    static HWY_INLINE Ints combine(Term x, Term y, Term z)
+    static HWY_INLINE Term term(Vec<I32> c) { return from_nearest<8>(c); }
+    static HWY_INLINE Vec<I32> combine(Term x, Term y, Term z)
     {
-        return as_ints(hn::ShiftRight<8>(hn::Max(hn::Max(x, y), z))) - all(ratio(1, 4).raw());
+        return hn::BitCast(I32(), hn::ShiftRight<8>(hn::Max(hn::Max(x, y), z))) -
+               Set<I32>(ratio(1, 4).raw());
     }
 };
 
@@ -73,11 +83,11 @@ struct Tunnel
     template <int shift, std::int32_t bar>
     struct Generation
     {
-        static HWY_INLINE Ints distance(Words x, Words y, Words z)
+        static HWY_INLINE Vec<I32> distance(Vec<U32> x, Vec<U32> y, Vec<U32> z)
         {
-            const Words median = hn::Max(hn::Min(x, y), hn::Min(hn::Max(x, y), z));
-            return all((std::int32_t{1} << (31 - shift)) - bar) -
-                   as_ints(hn::ShiftRight<shift>(median));
+            const Vec<U32> median = hn::Max(hn::Min(x, y), hn::Min(hn::Max(x, y), z));
+            return Set<I32>((std::int32_t{1} << (31 - shift)) - bar) -
+                   hn::BitCast(I32(), hn::ShiftRight<shift>(median));
         }
     };
     using Cell2 = Generation<7, ratio(45, 100).raw()>;
@@ -87,20 +97,20 @@ struct Tunnel
 
     struct Term
     {
-        Words cell2;
-        Words cell1;
-        Words cell_half;
-        Words cell_eighth;
+        Vec<U32> cell2;
+        Vec<U32> cell1;
+        Vec<U32> cell_half;
+        Vec<U32> cell_eighth;
     };
     static constexpr bool far = false;
     static constexpr std::size_t group = 4;
     static constexpr int steps_at_once = 6;
 
-    static HWY_INLINE Term term(Ints c)
+    static HWY_INLINE Term term(Vec<I32> c)
     {
         return {from_nearest<7>(c), from_nearest<8>(c), from_nearest<9>(c), from_nearest<11>(c)};
     }
-    static HWY_INLINE Ints combine(const Term& x, const Term& y, const Term& z)
+    static HWY_INLINE Vec<I32> combine(const Term& x, const Term& y, const Term& z)
     {
         return hn::Max(hn::Max(Cell2::distance(x.cell2, y.cell2, z.cell2),
                                Cell1::distance(x.cell1, y.cell1, z.cell1)),
@@ -110,10 +120,12 @@ struct Tunnel
 };
 
 template <class Scene>
-HWY_INLINE Ints distance(const Points& p)
+HWY_INLINE Vec<I32> distance(const Points& p)
 {
     return Scene::combine(Scene::term(p.x), Scene::term(p.y), Scene::term(p.z));
 }
 
-} // namespace raymarch::engine::marcher::HWY_NAMESPACE
+} // namespace raymarch::engine::marcher::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+#endif

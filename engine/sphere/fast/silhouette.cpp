@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace raymarch::engine::sphere
+namespace raymarch::engine::sphere::fast
 {
 namespace
 {
@@ -37,7 +37,7 @@ struct Row
     }
     /// How the discriminant grows there.
     [[nodiscard]] std::int64_t slope(std::int64_t u) const noexcept { return alpha() * u + beta(); }
-    /// Whether coefficients keep their value in 32 bits; they are largest at the ends of a span.
+    /// True if coefficients keep their value in 32 bits; they are largest at the ends of a span.
     [[nodiscard]] bool fits_32_bits(std::int64_t u) const noexcept
     {
         constexpr std::int64_t limit = std::numeric_limits<std::int32_t>::max();
@@ -93,4 +93,4 @@ Span silhouette(const Rules& rules, const Frame& frame, const Ball& ball, std::i
     return seen;
 }
 
-} // namespace raymarch::engine::sphere
+} // namespace raymarch::engine::sphere::fast

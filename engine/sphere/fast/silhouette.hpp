@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-namespace raymarch::engine::sphere
+namespace raymarch::engine::sphere::fast
 {
 
 /// Columns from `first` on, before `end`.
@@ -22,4 +22,4 @@ struct Span
 [[nodiscard]] Span silhouette(const Rules& rules, const Frame& frame, const Ball& ball,
                               std::int32_t y, Span of) noexcept;
 
-} // namespace raymarch::engine::sphere
+} // namespace raymarch::engine::sphere::fast

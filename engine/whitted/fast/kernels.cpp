@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "engine/whitted/fast/kernels.hpp"
-#include "engine/kernel_targets.hpp"
+#include "engine/fast/kernels.hpp"
+#include "engine/fast/targets.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/whitted/fast/kernels.cpp" // once for each instruction set
@@ -13,16 +13,6 @@
 #endif
 
 #if HWY_ONCE
-#include "engine/kernel_table.hpp"
-
-namespace raymarch::engine::whitted::fast
-{
-
-std::span<const Kernel> kernels() noexcept
-{
-    static constexpr std::array all = {RAYMARCH_KERNELS(draw)};
-    return all;
-}
-
-} // namespace raymarch::engine::whitted::fast
+#include "engine/fast/kernel_table.hpp"
+RAYMARCH_DEFINE_KERNELS(whitted)
 #endif

@@ -56,13 +56,13 @@ class Lattice
     std::array<Row, sample_rows> rows; ///< odd, even (the pixels'), odd
 
     [[nodiscard]] std::size_t pixels() const noexcept { return pixels_; }
-    /// Where sample `place` of the first pixel stands; those of the others follow it.
+    /// The slot of sample `place` of the first pixel; those of the others follow it.
     [[nodiscard]] std::size_t first_slot(const SamplePlace& place) const noexcept
     {
         return (place.dy == 0 ? 1U : row_of_[place.dy > 0 ? 1 : 0]) * row_samples +
                first_column(place.dx);
     }
-    /// Where pixel i stands in the picture.
+    /// The place of pixel i in the picture.
     [[nodiscard]] std::size_t at(std::size_t i) const noexcept
     {
         return std::size_t{y_} * size_.width + first_pixel_ + i * step_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What a kernel is compiled for: the defects of a profile, and whether costs are counted.
+/// A kernel is compiled for the defects of a profile, and with or without a count of costs.
 #pragma once
 
 #include "engine/whitted/profile.hpp"

@@ -34,13 +34,13 @@ inline constexpr std::int32_t normal_component = 5000;
 inline constexpr std::int32_t plane_normal = 4300;
 /// |centre| + |point|, raw: its square is a Wide.
 inline constexpr std::int32_t reach = 11'600'000;
-/// The same of a way along a unit direction: times bounds::direction / 4096 it is still a word.
+/// A way along a unit direction is below it: times bounds::direction / 4096 it is still a word.
 inline constexpr std::int32_t reach_along = 8'000'000;
-/// Of a way to a light that is not normalised as it should be, in unit vectors.
+/// A way to a light that is not normalised as it should be is below it, in unit vectors.
 inline constexpr std::int32_t wrapped_direction = 16;
-/// Of `along`, raw: 2^18 more is still a word.
+/// `along`, raw, is at most this: 2^18 more is still a word.
 inline constexpr std::int32_t along = word_end - (1 << 18);
-/// Of a sphere, in units: the square of the half chord is below 2^43.
+/// A sphere's radius in units is at most this: the square of the half chord is below 2^43.
 inline constexpr std::int32_t radius = 480;
 } // namespace bounds
 

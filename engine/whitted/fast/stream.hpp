@@ -18,9 +18,9 @@ inline constexpr unsigned tile_width = 128;
 inline constexpr std::size_t row_samples = std::size_t{3} * tile_width;
 /// Rows of samples that a row of pixels needs.
 inline constexpr std::size_t sample_rows = 3;
-/// Where neighbours share samples: two rows of all that a tile's pixels have.
+/// Neighbours share samples, so that a stream holds two rows of all that a tile's pixels have.
 inline constexpr std::size_t stream_length = 2 * (std::size_t{2} * tile_width + 1);
-/// As many columns more than are used: vectors are stored whole.
+/// So many columns more are there than are used, as vectors are stored whole.
 inline constexpr std::size_t longest_vector = 16;
 
 /// A sample's colour and what it saw, in 32 bits.

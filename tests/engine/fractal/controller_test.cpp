@@ -52,8 +52,7 @@ TEST(Controller, DoesWhatItsRulesSay)
                          raymarch::test::pick<std::uint32_t>(random, 0, 3)};
         const unsigned units =
             i % 10 == 0 ? 255 : raymarch::test::pick<std::uint32_t>(random, 1, 40);
-        EXPECT_EQ(controller_cycles(frame, last, costs, units),
-                  acted_out(frame, last, costs, units))
+        EXPECT_EQ(frame_cycles(frame, last, costs, units), acted_out(frame, last, costs, units))
             << size.width << 'x' << size.height << ", " << units << " units";
     }
 }

@@ -74,8 +74,7 @@ TEST_P(Hardware, FrameAndCycles)
     EXPECT_EQ(evaluations, vector.evaluations);
     EXPECT_FALSE(vector.cycles.empty());
     for (const auto& [units, cycles] : vector.cycles)
-        EXPECT_EQ(controller_cycles(vector.frame, last_row(vector.number), drawn.costs, units),
-                  cycles)
+        EXPECT_EQ(frame_cycles(vector.frame, last_row(vector.number), drawn.costs, units), cycles)
             << units << " units";
 }
 
@@ -112,10 +111,10 @@ TEST_P(StartView, Cycles)
     constexpr std::array units = {4U, 8U, 12U};
     for (std::size_t i = 0; i < units.size(); ++i) {
         frame.checker = false;
-        EXPECT_EQ(controller_cycles(frame, last_row(0), drawn.costs, units[i]), expected.plain[i]);
+        EXPECT_EQ(frame_cycles(frame, last_row(0), drawn.costs, units[i]), expected.plain[i]);
         frame.checker = true; // the costs of pixels left out do not count
-        const std::uint64_t both = controller_cycles(frame, last_row(0), drawn.costs, units[i]) +
-                                   controller_cycles(frame, last_row(1), drawn.costs, units[i]);
+        const std::uint64_t both = frame_cycles(frame, last_row(0), drawn.costs, units[i]) +
+                                   frame_cycles(frame, last_row(1), drawn.costs, units[i]);
         EXPECT_LE(both, 2 * expected.checker[i] + 1) << units[i];
         EXPECT_GE(both, 2 * expected.checker[i] - 1) << units[i];
     }

@@ -79,9 +79,9 @@ TEST(FractalFrame, TheModelDrawsAndCountsFromWords)
     Image image(test::size);
     const std::vector<PixelCost> costs = draw(model, words, image, 1);
     EXPECT_EQ(engine::frame_cycles(model, words, test::size, 0, costs), 400'465U); // on 12 units
-    EXPECT_EQ(model.frames_of_a_still(words), 1U);
+    EXPECT_EQ(frames_of_a_still(model, words), 1U);
     state.codes[table::CHECKER] = 1;
-    EXPECT_EQ(model.frames_of_a_still(words_of(state)), 4U);
+    EXPECT_EQ(frames_of_a_still(model, words_of(state)), 4U);
     Image other(test::size);
     Painter painter(1);
     draw_still(painter, {model, words_of(state)}, other);

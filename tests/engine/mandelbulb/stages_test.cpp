@@ -126,11 +126,11 @@ TEST(MandelbulbCycles, FivePassesOfAFullPipeline)
 {
     Frame frame{};
     const std::vector<PixelCost> costs(1000, {.steps = 20, .rays = 1});
-    EXPECT_EQ(frame_cycles(frame, costs, 1), 5U * (20'000 + 1096));
-    EXPECT_EQ(frame_cycles(frame, costs, 3), 5U * (6'667 + 1096));
+    EXPECT_EQ(frame_cycles(frame, {}, costs, 1), 5U * (20'000 + 1096));
+    EXPECT_EQ(frame_cycles(frame, {}, costs, 3), 5U * (6'667 + 1096));
     frame.arithmetic.steps = 23; // "we started at 900"
     frame.arithmetic.iterations = 31;
-    EXPECT_EQ(frame_cycles(frame, costs, 1), 7U * (20'000 + 898));
+    EXPECT_EQ(frame_cycles(frame, {}, costs, 1), 7U * (20'000 + 898));
 }
 
 TEST(MandelbulbPicture, ARowIsItsPixels)

@@ -118,7 +118,7 @@ TEST(SpherePictures, FrameATakesTheEdgesOfTheSimulation)
         const Drawing drawing = draw_frame(frame);
         EXPECT_EQ(pixels_by_period(drawing),
                   (std::map<std::uint32_t, int>{{1008, 281'018}, {4608, 11'350}, {7012, 14'832}}));
-        EXPECT_EQ(frame_cycles(frame, drawing.costs), 439'568'928U);
+        EXPECT_EQ(frame_cycles(frame, {}, drawing.costs, 1), 439'568'928U);
     }
 }
 

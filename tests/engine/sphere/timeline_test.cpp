@@ -68,7 +68,7 @@ TEST(SphereTimeline, FramesTakeTheSumOfTheirPixels)
         add(row.missed, Outcome::Missed);
         add(row.lit, Outcome::LitClear);
         add(row.shadowed, Outcome::Shadowed);
-        EXPECT_EQ(frame_cycles(Frame{}, costs), row.edges);
+        EXPECT_EQ(frame_cycles(Frame{}, {}, costs, 1), row.edges);
     }
 }
 
@@ -78,7 +78,7 @@ TEST(SphereTimeline, ABlackFrameOfTheHardware)
     frame.balls[0].radius = 0;
     frame.design = Design::RtlTimed;
     const Drawing drawing = draw_frame(frame);
-    EXPECT_EQ(frame_cycles(frame, drawing.costs), 309'657'600U);
+    EXPECT_EQ(frame_cycles(frame, {}, drawing.costs, 1), 309'657'600U);
     EXPECT_EQ(drawing.image.rgb, Image(source_size).rgb);
 }
 

@@ -131,7 +131,7 @@ TEST(SphereWords, CyclesAreSharedOutAmongUnits)
     const protocol::Words words = words_of("S1.R=0");
     const std::vector<PixelCost> costs(3, {1008, 1});
     const auto cycles = [&](unsigned units) {
-        return model_of(table::description).frame_cycles(words, {}, costs, units);
+        return model_of(table::description).latch(words)->cycles({}, costs, units);
     };
     EXPECT_EQ(cycles(1), 3'024U);
     EXPECT_EQ(cycles(5), 605U);

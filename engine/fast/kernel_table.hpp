@@ -8,6 +8,9 @@
 
 #include <hwy/highway.h>
 
+#include <array>
+#include <span>
+
 /// The kernels of `draw`, which is defined in namespace HWY_NAMESPACE: an initialiser of
 /// std::array. Those that were not compiled are nullptr.
 #define RAYMARCH_KERNELS(draw)                                                                     \
@@ -17,4 +20,13 @@
         ::raymarch::engine::Kernel                                                                 \
     {                                                                                              \
         ::raymarch::engine::Isa::Avx512, HWY_CHOOSE_AVX3(draw)                                     \
+    }
+
+/// Defines the accelerator's kernels(), which engine/fast/kernels.hpp declares.
+#define RAYMARCH_DEFINE_KERNELS(accelerator)                                                       \
+    std::span<const raymarch::engine::Kernel>                                                      \
+    raymarch::engine::accelerator::fast::kernels() noexcept                                        \
+    {                                                                                              \
+        static constexpr std::array table = {RAYMARCH_KERNELS(draw)};                              \
+        return table;                                                                              \
     }
