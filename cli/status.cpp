@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// `raymarchctl status` and `watch`: what the service says of itself, once or as it changes.
+#include "protocol/status.hpp"
 #include "cli/connection.hpp"
 #include "cli/subcommands.hpp"
 
@@ -58,13 +59,16 @@ Result<Fields> ask_fields(Connection& connection, const char* command)
     return fields;
 }
 
-/// Numbers as numbers, everything else as text.
+/// A value is a number where the row of its key says so and it can be read as one, else a string.
 nlohmann::json json_of(const Fields& fields)
 {
     nlohmann::json object = nlohmann::json::object();
     for (const auto& [key, value] : fields) {
-        auto parsed = nlohmann::json::parse(value, nullptr, false);
-        object[key] = parsed.is_number() ? std::move(parsed) : nlohmann::json(value);
+        const protocol::StatusRow* const row = protocol::find_status_row(key);
+        nlohmann::json number;
+        if (row != nullptr && row->kind == protocol::StatusKind::Number)
+            number = nlohmann::json::parse(value, nullptr, false);
+        object[key] = number.is_number() ? std::move(number) : nlohmann::json(value);
     }
     return object;
 }
@@ -102,7 +106,8 @@ struct WatchOptions
 /// These move all the time; a change of them alone is no news.
 bool always_moves(std::string_view key)
 {
-    return key == "uptime" || key == "fps";
+    using protocol::StatusKey;
+    return key == status_row(StatusKey::Uptime).name || key == status_row(StatusKey::Fps).name;
 }
 
 std::string changes(const Fields& before, const Fields& now)

@@ -129,19 +129,19 @@ void App::reload_config()
     sd_notify(0, "READY=1");
 }
 
-void App::write_status(protocol::ReplyWriter& reply)
+void App::write_status(protocol::StatusValues& status)
 {
+    using protocol::StatusKey;
     const auto uptime = std::chrono::duration_cast<std::chrono::seconds>(
         std::chrono::steady_clock::now() - started_);
-
-    hosts_->write_serial_status(reply);
-    hardware_.write_status(reply);
-    panel_->write_status(reply);
     const board::KernelTree tree(config_.sysfs_root);
-    reply << " logic=" << logic_state(tree)
-          << " overlay=" << to_text(overlay_state(tree, board::overlay_name));
-    hosts_->write_client_status(reply);
-    reply << " uptime=" << static_cast<std::uint64_t>(uptime.count());
+
+    hosts_->write_status(status);
+    hardware_.write_status(status);
+    panel_->write_status(status);
+    status.put(StatusKey::Logic, logic_state(tree));
+    status.put(StatusKey::Overlay, to_text(overlay_state(tree, board::overlay_name)));
+    status.put(StatusKey::Uptime, static_cast<std::uint64_t>(uptime.count()));
 }
 
 } // namespace raymarch::daemon

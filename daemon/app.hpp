@@ -40,7 +40,7 @@ class App final : public StatusSource
     [[nodiscard]] bool drawing_has_ended() const noexcept { return drawing_has_ended_; }
 
     // StatusSource
-    void write_status(protocol::ReplyWriter& reply) override;
+    void write_status(protocol::StatusValues& status) override;
 
   private:
     void animate();

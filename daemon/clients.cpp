@@ -137,14 +137,4 @@ void Hosts::count_turned_away()
     log_turned_away_->arm(turned_away_interval);
 }
 
-void Hosts::write_client_status(protocol::ReplyWriter& reply) const
-{
-    std::uint64_t dropped = dropped_before_;
-    if (serial_)
-        dropped += serial_->session().dropped_replies();
-    for (const Endpoint& client : clients_)
-        dropped += client.session().dropped_replies();
-    reply << " clients=" << std::uint64_t{clients_.size()} << " dropped_replies=" << dropped;
-}
-
 } // namespace raymarch::daemon

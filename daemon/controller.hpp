@@ -15,6 +15,7 @@
 #include "protocol/registers.hpp"
 #include "protocol/reply.hpp"
 #include "protocol/request.hpp"
+#include "protocol/status.hpp"
 
 #include <array>
 #include <cstdint>
@@ -72,8 +73,7 @@ class StatusSource
 {
   public:
     virtual ~StatusSource() = default;
-    /// Writes ` key=value` words.
-    virtual void write_status(protocol::ReplyWriter& reply) = 0;
+    virtual void write_status(protocol::StatusValues& status) = 0;
 };
 
 /// The settings of a session that its own lines can change.

@@ -176,13 +176,22 @@ void Hosts::resume()
 
 // --- STATUS ---
 
-void Hosts::write_serial_status(protocol::ReplyWriter& reply) const
+void Hosts::write_status(protocol::StatusValues& status) const
 {
+    using protocol::StatusKey;
     const bool wants_serial = !std::holds_alternative<NoSerial>(config_.serial);
     const bool up = serial_ && !link_away_;
-    reply << " serial=" << (up ? "up" : wants_serial ? "down" : "none");
+    status.put(StatusKey::Serial, up ? "up" : wants_serial ? "down" : "none");
     if (up)
-        reply << " hang_ups=" << hang_ups_before_ + serial_->session().hang_ups();
+        status.put(StatusKey::HangUps, hang_ups_before_ + serial_->session().hang_ups());
+
+    std::uint64_t dropped = dropped_before_;
+    if (serial_)
+        dropped += serial_->session().dropped_replies();
+    for (const Endpoint& client : clients_)
+        dropped += client.session().dropped_replies();
+    status.put(StatusKey::Clients, clients_.size());
+    status.put(StatusKey::DroppedReplies, dropped);
 }
 
 } // namespace raymarch::daemon

@@ -40,10 +40,7 @@ class Hosts
     /// Whoever waits for a disk looks whether it is done.
     void resume();
 
-    /// ` serial=… hang_ups=…`
-    void write_serial_status(protocol::ReplyWriter& reply) const;
-    /// ` clients=… dropped_replies=…`
-    void write_client_status(protocol::ReplyWriter& reply) const;
+    void write_status(protocol::StatusValues& status) const;
 
   private:
     void accept_client();

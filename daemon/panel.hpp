@@ -40,8 +40,7 @@ class Panel
     /// has no chip at all, as soon as one appears.
     void start();
 
-    /// ` gpio=…`
-    void write_status(protocol::ReplyWriter& reply) const;
+    void write_status(protocol::StatusValues& status) const;
 
   private:
     /// One line that an action is mapped to.

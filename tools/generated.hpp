@@ -13,6 +13,7 @@ namespace raymarch::tools
 [[nodiscard]] std::string commands_section();      ///< of docs/protocol.md
 [[nodiscard]] std::string errors_section();        ///< of docs/protocol.md
 [[nodiscard]] std::string presets_section();       ///< of docs/protocol.md
+[[nodiscard]] std::string status_section();        ///< of docs/protocol.md
 [[nodiscard]] std::string settings_file();         ///< systemd/raymarchd.toml
 [[nodiscard]] std::string actions_table();         ///< of docs/gpio.md
 [[nodiscard]] std::string actions_manual();        ///< of docs/man/raymarchd.8
