@@ -136,7 +136,7 @@ Result<Fields> look(Connection& connection)
     auto fields = ask_fields(connection, "STATUS");
     if (!fields)
         return fields;
-    const auto parameters = ask_fields(connection, "GET");
+    auto parameters = ask_fields(connection, "GET");
     if (!parameters)
         return parameters;
     fields->insert(fields->end(), parameters->begin(), parameters->end());
