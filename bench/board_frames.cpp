@@ -79,7 +79,7 @@ struct Memory final : daemon::Storage
 };
 struct NoStatus final : daemon::StatusSource
 {
-    void write_status(protocol::ReplyWriter&) override {}
+    void write_status(protocol::StatusValues&) override {}
 };
 
 /// The service between its ports and its registers, as it comes.

@@ -153,7 +153,7 @@ struct NoStorage final : daemon::Storage
 };
 struct NoStatus final : daemon::StatusSource
 {
-    void write_status(ReplyWriter&) override {}
+    void write_status(StatusValues&) override {}
 };
 
 /// All that the service does between reading from the port and writing the reply to it.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// `raymarchctl status` and `watch`: print the state of the service, once or when it changes.
+#include "protocol/status.hpp"
+
 #include "cli/connection.hpp"
 #include "cli/subcommands.hpp"
 
@@ -58,13 +60,16 @@ Result<Fields> ask_fields(Connection& connection, const char* command)
     return fields;
 }
 
-/// Numbers become JSON numbers, all other values become strings.
+/// A value is a number where the row of its key says so and it can be read as one, else a string.
 nlohmann::json json_of(const Fields& fields)
 {
     nlohmann::json object = nlohmann::json::object();
     for (const auto& [key, value] : fields) {
-        auto parsed = nlohmann::json::parse(value, nullptr, false);
-        object[key] = parsed.is_number() ? std::move(parsed) : nlohmann::json(value);
+        const protocol::StatusRow* const row = protocol::find_status_row(key);
+        nlohmann::json number;
+        if (row != nullptr && row->kind == protocol::StatusKind::Number)
+            number = nlohmann::json::parse(value, nullptr, false);
+        object[key] = number.is_number() ? std::move(number) : nlohmann::json(value);
     }
     return object;
 }
@@ -102,7 +107,8 @@ struct WatchOptions
 /// These fields change all the time, so their changes are not printed.
 bool always_changes(std::string_view key)
 {
-    return key == "uptime" || key == "fps";
+    using protocol::StatusKey;
+    return key == status_row(StatusKey::Uptime).name || key == status_row(StatusKey::Fps).name;
 }
 
 std::string changes(const Fields& before, const Fields& now)
@@ -133,7 +139,7 @@ Result<Fields> poll_service(Connection& connection)
     auto fields = ask_fields(connection, "STATUS");
     if (!fields)
         return fields;
-    const auto parameters = ask_fields(connection, "GET");
+    auto parameters = ask_fields(connection, "GET");
     if (!parameters)
         return parameters;
     fields->insert(fields->end(), parameters->begin(), parameters->end());

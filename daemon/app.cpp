@@ -45,14 +45,19 @@ App::App(Config config, Reload reload, EventLoop& loop)
     : loop_(loop)
     , config_(std::move(config))
     , reload_(std::move(reload))
-    , stored_(loop, [this] { hosts_->resume(); })
+    , stored_(loop,
+              [this] {
+                  control_->resume();
+                  serial_->resume();
+              })
     , store_(config_.state, [this] { stored_.notify(); })
     , animate_timer_(loop.add_timer([this] { animate(); }))
     , hardware_(config_, loop, [this] { controller_.board_is_back(hardware_.accelerator()); })
     , controller_(*config_.accelerator, policy_of(config_), hardware_, store_, *this, random_seed())
     , panel_(std::in_place, config_.gpio, loop, controller_, hardware_, drivers::open_gpio_line)
     , turns_(loop)
-    , hosts_(std::in_place, config_, loop, turns_, controller_)
+    , serial_(std::in_place, config_.serial, loop, turns_, controller_)
+    , control_(std::in_place, config_, loop, turns_, controller_)
 {
     controller_.on_animate([this](unsigned rate) {
         const bool running = std::exchange(animate_rate_, rate) > 0;
@@ -80,19 +85,20 @@ Result<void> App::run()
         static_cast<void>(controller_.restore(*state)); // the board comes later
     if (auto started = hardware_.start(); !started)
         return started;
-    hosts_->open_serial();
+    serial_->open();
     panel_->start();
-    hosts_->open_control();
+    control_->open();
     if (loop_.feed_watchdog())
         log::info("the watchdog is fed from the event loop");
     sd_notify(0, "READY=1");
-    log::notice("ready: {}; registers: {}; {}", controller_.accelerator().name, hardware_.place(),
-                hosts_->places());
+    log::notice("ready: {}; registers: {}; serial: {}; control: {}", controller_.accelerator().name,
+                hardware_.place(), serial_->place(), control_->place());
 
     auto result = loop_.run();
     sd_notify(0, "STOPPING=1");
     // What others see ends in any case; what is being drawn is not waited for.
-    hosts_.reset();
+    control_.reset();
+    serial_.reset();
     panel_.reset();
     store_.finish();
     drawing_has_ended_ = hardware_.end_drawing(patience_at_the_end);
@@ -129,19 +135,21 @@ void App::reload_config()
     sd_notify(0, "READY=1");
 }
 
-void App::write_status(protocol::ReplyWriter& reply)
+void App::write_status(protocol::StatusValues& status)
 {
+    using protocol::StatusKey;
     const auto uptime = std::chrono::duration_cast<std::chrono::seconds>(
         std::chrono::steady_clock::now() - started_);
-
-    hosts_->write_serial_status(reply);
-    hardware_.write_status(reply);
-    panel_->write_status(reply);
     const board::KernelTree tree(config_.sysfs_root);
-    reply << " logic=" << logic_state(tree)
-          << " overlay=" << to_text(overlay_state(tree, board::overlay_name));
-    hosts_->write_client_status(reply);
-    reply << " uptime=" << static_cast<std::uint64_t>(uptime.count());
+
+    serial_->write_status(status);
+    hardware_.write_status(status);
+    panel_->write_status(status);
+    status.put(StatusKey::Logic, logic_state(tree));
+    status.put(StatusKey::Overlay, to_text(overlay_state(tree, board::overlay_name)));
+    status.put(StatusKey::Clients, control_->clients());
+    status.put(StatusKey::DroppedReplies, serial_->dropped_replies() + control_->dropped_replies());
+    status.put(StatusKey::Uptime, static_cast<std::uint64_t>(uptime.count()));
 }
 
 } // namespace raymarch::daemon

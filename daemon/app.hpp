@@ -5,11 +5,12 @@
 #pragma once
 
 #include "daemon/config.hpp"
+#include "daemon/control_socket.hpp"
 #include "daemon/controller.hpp"
 #include "daemon/event_loop.hpp"
 #include "daemon/hardware.hpp"
-#include "daemon/hosts.hpp"
 #include "daemon/panel.hpp"
+#include "daemon/serial_host.hpp"
 #include "daemon/state_store.hpp"
 #include "daemon/turns.hpp"
 #include "daemon/wake_up.hpp"
@@ -40,7 +41,7 @@ class App final : public StatusSource
     [[nodiscard]] bool drawing_has_ended() const noexcept { return drawing_has_ended_; }
 
     // StatusSource
-    void write_status(protocol::ReplyWriter& reply) override;
+    void write_status(protocol::StatusValues& status) override;
 
   private:
     void animate();
@@ -63,7 +64,8 @@ class App final : public StatusSource
     std::optional<Panel> panel_; ///< borrows controller_ and hardware_
 
     Turns turns_;
-    std::optional<Hosts> hosts_; ///< borrows controller_ and turns_
+    std::optional<SerialHost> serial_;     ///< borrows controller_ and turns_
+    std::optional<ControlSocket> control_; ///< the same
 
     std::list<Source> signals_;
     bool drawing_has_ended_ = true;

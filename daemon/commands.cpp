@@ -175,16 +175,16 @@ Controller::Outcome Controller::run(const Command<"ECHO">& echo, const Call& cal
 
 Controller::Outcome Controller::run(const Command<"STATUS">& /*status*/, const Call& /*call*/)
 {
-    std::uint64_t rejected = 0;
-    for (const std::uint64_t count : rejected_)
-        rejected += count;
-    reply_ << "OK accelerator=" << accelerator_->name;
-    status_.write_status(reply_);
-    reply_ << " animate=" << std::uint64_t{rate_} << " locked=" << (locked_ ? "on" : "off")
-           << " applied=" << applied_ << " rejected=" << rejected << " echoed=" << echoed_;
-    for (const ErrorRow& row : errors)
-        if (const std::uint64_t count = rejected_[static_cast<std::size_t>(row.code)]; count > 0)
-            reply_ << " rejected." << row.name << '=' << count;
+    StatusValues status;
+    status_.write_status(status);
+    status.put(StatusKey::Accelerator, accelerator_->name);
+    status.put(StatusKey::Animate, rate_);
+    status.put(StatusKey::Locked, locked_ ? "on" : "off");
+    status.put(StatusKey::Applied, applied_);
+    status.put(StatusKey::Echoed, echoed_);
+    status.put_rejected(rejected_);
+    reply_ << "OK";
+    status.write(reply_);
     reply_.end_line();
     return std::nullopt;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Reads the configuration file, which is TOML. What the settings are stands in config.cpp.
+/// Reads the configuration file, which is TOML. What the settings are stands in settings.cpp.
 #include "daemon/actions.hpp"
 #include "daemon/config.hpp"
 #include "daemon/config_text.hpp"

@@ -14,6 +14,7 @@
 #include "protocol/line_reader.hpp"
 #include "protocol/registers.hpp"
 #include "protocol/reply.hpp"
+#include "protocol/status.hpp"
 #include "protocol/typed_request.hpp"
 
 #include <array>
@@ -72,8 +73,7 @@ class StatusSource
 {
   public:
     virtual ~StatusSource() = default;
-    /// Writes ` key=value` words.
-    virtual void write_status(protocol::ReplyWriter& reply) = 0;
+    virtual void write_status(protocol::StatusValues& status) = 0;
 };
 
 /// The settings of a session that its own lines can change.

@@ -349,26 +349,28 @@ Health Hardware::health()
     return {.fault = fault, .running = path_->extended() ? busy || drew : !fault};
 }
 
-void Hardware::write_status(protocol::ReplyWriter& reply)
+void Hardware::write_status(protocol::StatusValues& status)
 {
+    using protocol::StatusKey;
     if (!path_) {
-        reply << " hardware=absent";
+        status.put(StatusKey::Hardware, "absent");
         return;
     }
-    reply << " hardware=" << (at_fault() ? "fault" : "ok")
-          << " block=" << (path_->extended() ? "extended" : "plain")
-          << " readback_errors=" << readback_errors_;
+    status.put(StatusKey::Hardware, at_fault() ? "fault" : "ok");
+    status.put(StatusKey::Block, path_->extended() ? "extended" : "plain");
+    status.put(StatusKey::ReadbackErrors, readback_errors_);
     if (!path_->extended())
         return;
 
     const std::uint32_t frames = path_->frames();
-    reply << " frames=" << std::uint64_t{frames};
+    status.put(StatusKey::Frames, frames);
     rate_.sample(frames);
     if (const auto tenths = rate_.tenths_per_second())
-        reply << " fps=" << *tenths / 10 << '.' << *tenths % 10;
-    if (interrupt_)
-        reply << " interrupts=" << interrupts_.taken()
-              << " interrupts_missed=" << interrupts_.missed();
+        status.put(StatusKey::Fps, protocol::Tenths{*tenths});
+    if (!interrupt_)
+        return;
+    status.put(StatusKey::Interrupts, interrupts_.taken());
+    status.put(StatusKey::InterruptsMissed, interrupts_.missed());
 }
 
 } // namespace raymarch::daemon

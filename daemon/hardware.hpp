@@ -61,8 +61,7 @@ class Hardware final : public Board
         return path_ ? path_->accelerator() : *wanted_;
     }
 
-    /// ` hardware=… block=… frames=… fps=… interrupts=…`
-    void write_status(protocol::ReplyWriter& reply);
+    void write_status(protocol::StatusValues& status);
 
   private:
     [[nodiscard]] Result<void> open();

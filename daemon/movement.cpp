@@ -15,8 +15,7 @@ void Movement::step(const protocol::Accelerator& accelerator, protocol::State& s
         mover_ = motion::mover_of(accelerator);
         accelerator_ = &accelerator;
     }
-    if (mover_)
-        mover_->step(state, inputs);
+    mover_->step(state, inputs);
 }
 
 void Movement::move(const protocol::Accelerator& accelerator, protocol::State& state, Steps& steps,

@@ -5,7 +5,6 @@
 
 #include "daemon/turn_is_over.hpp"
 #include "motion/mover.hpp"
-#include "protocol/commands.hpp"
 #include "protocol/parameters.hpp"
 
 #include <cstdint>
@@ -20,8 +19,6 @@ struct Steps
     motion::Inputs inputs;
     unsigned count = 1;
 };
-using protocol::most_rate;
-
 enum class Side : std::uint8_t { Left, Right };
 
 class Movement

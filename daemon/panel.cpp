@@ -269,12 +269,15 @@ void Panel::show(Line& line, const PanelStatus& now)
     line.shown = lit;
 }
 
-void Panel::write_status(protocol::ReplyWriter& reply) const
+void Panel::write_status(protocol::StatusValues& status) const
 {
     const auto there = std::ranges::count_if(
         lines_, [](const Line& line) { return line.pin != nullptr && !line.failed; });
     const auto all = static_cast<std::ptrdiff_t>(lines_.size());
-    reply << " gpio=" << (all == 0 ? "none" : there == all ? "up" : there > 0 ? "partial" : "down");
+    status.put(protocol::StatusKey::Gpio, all == 0       ? "none"
+                                          : there == all ? "up"
+                                          : there > 0    ? "partial"
+                                                         : "down");
 }
 
 } // namespace raymarch::daemon

@@ -40,8 +40,7 @@ class Panel
     /// chip, when a chip appears.
     void start();
 
-    /// Writes ` gpio=…`.
-    void write_status(protocol::ReplyWriter& reply) const;
+    void write_status(protocol::StatusValues& status) const;
 
   private:
     struct Line

@@ -30,13 +30,13 @@ inline constexpr std::array movers = {
              make_mover<whitted::enter, whitted::step, whitted::leave>},
 };
 
-/// Makes a mover for an accelerator; nullptr if nothing can move there.
+static_assert(protocol::has_all_accelerators(movers), "one line for each accelerator");
+
+/// Makes a mover for an accelerator. One that is in no registry ends the program, as position_of()
+/// says.
 [[nodiscard]] inline std::unique_ptr<Mover> mover_of(const protocol::Accelerator& description)
 {
-    for (const MoverRow& row : movers)
-        if (row.description == &description)
-            return row.make();
-    return nullptr;
+    return movers[protocol::position_of(description)].make();
 }
 
 } // namespace raymarch::motion

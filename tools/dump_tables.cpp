@@ -35,6 +35,7 @@ const std::vector<Document> documents = {
     {"docs/protocol.md", "commands", tools::commands_section},
     {"docs/protocol.md", "errors", tools::errors_section},
     {"docs/protocol.md", "presets", tools::presets_section},
+    {"docs/protocol.md", "status", tools::status_section},
     {"docs/gpio.md", "actions", tools::actions_table},
     {"docs/man/raymarchd.8", "actions", tools::actions_manual},
     {"systemd/raymarchd.toml", "", tools::settings_file},

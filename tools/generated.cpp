@@ -8,6 +8,7 @@
 #include "protocol/dequantizer.hpp"
 #include "protocol/errors.hpp"
 #include "protocol/registers.hpp"
+#include "protocol/status.hpp"
 
 #include <fmt/format.h>
 
@@ -238,6 +239,17 @@ std::string presets_section()
                             accelerator->name);
         for (const Preset& preset : accelerator->presets)
             text += fmt::format("| `{}` | {} |\n", preset.name, preset.summary);
+    }
+    return text + "\n";
+}
+
+std::string status_section()
+{
+    std::string text = "\n| key | value | present | meaning |\n| --- | --- | --- | --- |\n";
+    for (const StatusRow& row : status_rows) {
+        const std::string any = row.kind == StatusKind::Word ? "word" : "number";
+        text += fmt::format("| {} | {} | {} | {} |\n", row.name,
+                            row.value.empty() ? any : cell(row.value), row.present, row.meaning);
     }
     return text + "\n";
 }

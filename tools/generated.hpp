@@ -13,6 +13,7 @@ namespace raymarch::tools
 [[nodiscard]] std::string commands_section();      ///< for docs/protocol.md
 [[nodiscard]] std::string errors_section();        ///< for docs/protocol.md
 [[nodiscard]] std::string presets_section();       ///< for docs/protocol.md
+[[nodiscard]] std::string status_section();        ///< for docs/protocol.md
 [[nodiscard]] std::string settings_file();         ///< systemd/raymarchd.toml
 [[nodiscard]] std::string actions_table();         ///< for docs/gpio.md
 [[nodiscard]] std::string actions_manual();        ///< for docs/man/raymarchd.8

@@ -92,7 +92,9 @@ class UioHardware : public testing::Test
     [[nodiscard]] std::string status()
     {
         protocol::ReplyWriter reply;
-        hardware.write_status(reply);
+        protocol::StatusValues status;
+        hardware.write_status(status);
+        status.write(reply);
         return std::string(reply.text());
     }
     /// The value of one field; empty when there is none.

@@ -87,7 +87,9 @@ class PanelTest : public testing::Test
     {
         protocol::ReplyWriter reply;
         reply.begin(false);
-        panel->write_status(reply);
+        protocol::StatusValues status;
+        panel->write_status(status);
+        status.write(reply);
         return std::string(reply.text());
     }
     [[nodiscard]] bool refused(const char* line) { return service.say(line).starts_with("ERR"); }

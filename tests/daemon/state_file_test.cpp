@@ -2,8 +2,8 @@
 #include "daemon/state_file.hpp"
 
 #include "base/crc32.hpp"
-#include "protocol/accelerators.hpp"
 #include "motion/random_values.hpp"
+#include "protocol/accelerators.hpp"
 #include "tests/fakes/descriptions.hpp"
 
 #include <fmt/format.h>

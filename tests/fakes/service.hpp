@@ -89,7 +89,10 @@ struct FakeStorage final : daemon::Storage
 
 struct FakeStatus final : daemon::StatusSource
 {
-    void write_status(protocol::ReplyWriter& reply) override { reply << " serial=up"; }
+    void write_status(protocol::StatusValues& status) override
+    {
+        status.put(protocol::StatusKey::Serial, "up");
+    }
 };
 
 /// A controller between fakes, with one session on it.

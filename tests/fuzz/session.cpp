@@ -45,7 +45,7 @@ struct World final : daemon::Board, daemon::Storage, daemon::StatusSource
         const auto found = saved.find(&accelerator);
         return found == saved.end() ? std::nullopt : std::optional(found->second);
     }
-    void write_status(protocol::ReplyWriter& /*reply*/) override {}
+    void write_status(protocol::StatusValues& /*status*/) override {}
 };
 
 struct Host

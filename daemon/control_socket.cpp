@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// The part of Hosts that serves the control socket and its clients.
+#include "daemon/control_socket.hpp"
+
 #include "base/log.hpp"
-#include "daemon/hosts.hpp"
 
 #include <sys/epoll.h>
 
@@ -25,7 +25,25 @@ constexpr std::chrono::seconds turned_away_interval{30};
 
 } // namespace
 
-void Hosts::open_control()
+ControlSocket::ControlSocket(const Config& config, EventLoop& loop, Turns& turns,
+                             Controller& controller)
+    : config_(config)
+    , loop_(loop)
+    , turns_(turns)
+    , controller_(controller)
+    , again_(loop, "no control socket", [this] { open(); })
+    , socket_(loop, [this] { look_at_socket(); })
+    , accept_again_(loop, "a client of the control socket cannot be served",
+                    [this] {
+                        if (accept_)
+                            accept_->watch(EPOLLIN);
+                    })
+    , log_turned_away_(loop.add_timer([this] { count_turned_away(); }))
+{}
+
+ControlSocket::~ControlSocket() = default;
+
+void ControlSocket::open()
 {
     if (config_.control.empty() || listener_)
         return;
@@ -40,14 +58,25 @@ void Hosts::open_control()
         }
     }
     if (!listener)
-        return control_again_.missing(listener.error());
-    control_again_.found();
-    watch_control_ = watch_place(config_.control);
+        return again_.missing(listener.error());
+    again_.found();
+    socket_.watch(config_.control);
+}
+
+void ControlSocket::look_at_socket()
+{
+    if (!listener_ || listener_->in_place())
+        return;
+    log::warning("the control socket {} was removed or replaced; it will be made again",
+                 config_.control);
+    accept_.reset();
+    listener_.reset(); // connected clients stay connected
+    again_.lost();
 }
 
 /// Stops watching the socket for a while, because a client that cannot be accepted keeps it
 /// readable and would wake the loop again and again.
-void Hosts::pause_accepting(const Error& problem)
+void ControlSocket::pause_accepting(const Error& problem)
 {
     accept_->watch(0);
     if (!std::exchange(accept_pauses_, true))
@@ -55,7 +84,7 @@ void Hosts::pause_accepting(const Error& problem)
     accept_again_.missing(problem);
 }
 
-void Hosts::accept_client()
+void ControlSocket::accept_client()
 {
     auto port = listener_->accept();
     if (!port)
@@ -74,7 +103,7 @@ void Hosts::accept_client()
         accept_again_.found();
 }
 
-void Hosts::forget(Endpoint& client)
+void ControlSocket::forget(Endpoint& client)
 {
     client.drop_output();
     dropped_before_ += client.session().dropped_replies();
@@ -85,7 +114,7 @@ void Hosts::forget(Endpoint& client)
 /// all done, is removed first. Without one, the client that has been silent longest is removed, if
 /// that is longest_silence at least. A client that is connected and waits for the service does not
 /// count as silent. Returns false when no client can be removed.
-bool Hosts::make_room()
+bool ControlSocket::make_room()
 {
     const auto left = std::ranges::find_if(
         clients_, [](const Endpoint& client) { return client.has_gone() && !client.busy(); });
@@ -109,7 +138,7 @@ bool Hosts::make_room()
 }
 
 /// Sends the reason once, and does not wait for the client to read it.
-void Hosts::turn_away(drivers::BytePort& port)
+void ControlSocket::turn_away(drivers::BytePort& port)
 {
     if (config_.replies != Replies::None) {
         protocol::ReplyWriter reply;
@@ -128,7 +157,7 @@ void Hosts::turn_away(drivers::BytePort& port)
 
 /// Logs one line for all clients that were turned away since the last one, so that clients that
 /// come fast do not fill the log.
-void Hosts::count_turned_away()
+void ControlSocket::count_turned_away()
 {
     full_was_logged_ = turned_away_ > 0;
     if (!full_was_logged_)
@@ -137,14 +166,25 @@ void Hosts::count_turned_away()
     log_turned_away_->arm(turned_away_interval);
 }
 
-void Hosts::write_client_status(protocol::ReplyWriter& reply) const
+void ControlSocket::resume()
+{
+    for (Endpoint& client : clients_)
+        client.resume();
+}
+
+std::string ControlSocket::place() const
+{
+    if (config_.control.empty())
+        return "none";
+    return config_.control + (listener_ ? "" : " (not there yet)");
+}
+
+std::uint64_t ControlSocket::dropped_replies() const
 {
     std::uint64_t dropped = dropped_before_;
-    if (serial_)
-        dropped += serial_->session().dropped_replies();
     for (const Endpoint& client : clients_)
         dropped += client.session().dropped_replies();
-    reply << " clients=" << std::uint64_t{clients_.size()} << " dropped_replies=" << dropped;
+    return dropped;
 }
 
 } // namespace raymarch::daemon
