@@ -35,8 +35,8 @@ struct Bitstream
     std::uint32_t idcode = 0;           ///< of the device that takes it; the upper 4 bits, its
                                         ///< revision, are 0
     bool compressed = false;            ///< frames that repeat are written once
-    bool checked = false;               ///< all its frames stand under a check sequence that is
-                                        ///< right; without one, damage in them cannot be seen
+    bool checked = false;               ///< a correct check sequence covers every frame; without
+                                        ///< one, damage cannot be found
     std::size_t frame_words = 0;        ///< of frame data
     std::size_t repeated_frames = 0;    ///< each written by one packet of MFWR; compressed only
     std::span<const std::uint8_t> data; ///< configuration words in the byte order of the form
@@ -68,9 +68,9 @@ inline constexpr std::size_t largest_bitstream_file = 32 << 20;
 [[nodiscard]] Result<Bitstream> parse_bitstream(std::span<const std::uint8_t> bytes,
                                                 const std::string& name);
 
-/// Whether it configures all of `device`. The part in the header of a `.bit` may also be written as
-/// the tools take it, with `xc` before and the speed grade behind it, in either case of letters:
-/// `xc7z020clg400-1`. Errors: BadData.
+/// Checks that the bitstream configures all of `device`. The part in the header of a `.bit` may
+/// also be written as the tools take it, with `xc` before and the speed grade behind it, in either
+/// case of letters: `xc7z020clg400-1`. Errors: BadData.
 [[nodiscard]] Result<void> check_bitstream(const Bitstream& bitstream, const LogicDevice& device,
                                            const std::string& name);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Whether a bitstream is for a device, and for all of it.
+/// Checks that a bitstream is for a device, and for all of it.
 #include "board/configuration.hpp"
 
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ Result<void> check_part(const std::string& part, const LogicDevice& device, cons
 Result<void> check_bitstream(const Bitstream& bitstream, const LogicDevice& device,
                              const std::string& name)
 {
-    constexpr std::size_t padding = 64; // what tools may add
+    constexpr std::size_t padding = 64; // tools may add this many bytes
     const std::size_t size = bitstream.data.size();
     if (bitstream.form == BitstreamForm::Bit)
         if (auto fits = check_part(bitstream.part, device, name); !fits)

@@ -84,8 +84,8 @@ class Configuration
     }
 
     /// Returns how many words follow the header of a write, and nothing for another header. A
-    /// packet of type 1 names the register, `target`. A packet of type 2 can be longer; it follows
-    /// one of type 1 at once. Only the registers for frames take more than one word.
+    /// packet of type 1 names the register, `target`. A packet of type 2 can be longer; it uses
+    /// the register of the packet before it. Only the registers for frames take more than one word.
     static std::optional<std::size_t> word_count(std::uint32_t header,
                                                  std::optional<std::uint32_t>& target)
     {
@@ -171,15 +171,16 @@ class Configuration
         return {};
     }
 
-    /// `behind` is the first word after the end.
-    Result<void> finish(std::size_t behind)
+    /// `after_end` is the first word after the end.
+    Result<void> finish(std::size_t after_end)
     {
         if (!idcode_)
             return refuse("it names no device (IDCODE); encrypted bitstreams are not taken");
         if (any_check_ && last_write_) // the packet of the last check sequence is damaged
-            return damaged(words_[*last_write_], *last_write_, "stands under no check sequence");
+            return damaged(words_[*last_write_], *last_write_,
+                           "is not covered by a check sequence");
         // A damaged word may look like the command that ends the configuration.
-        for (std::size_t at = behind; at < words_.size(); ++at)
+        for (std::size_t at = after_end; at < words_.size(); ++at)
             if (!is_idle(words_[at]))
                 return damaged(words_[at], at, "follows the command that ends the configuration");
         bitstream_.idcode = *idcode_;
@@ -192,8 +193,9 @@ class Configuration
     Bitstream& bitstream_;
     ConfigurationCrc crc_;
     std::optional<std::uint32_t> idcode_;
-    std::optional<std::size_t> last_write_; ///< since the check sequence last started
-    bool frames_pending_ = false;           ///< frame data has been written since then
+    std::optional<std::size_t>
+        last_write_;              ///< not of IDCODE or a command; since the check sequence started
+    bool frames_pending_ = false; ///< frame data has been written since then
     bool frames_unchecked_ = false;
     bool any_check_ = false;
     bool ended_ = false;

@@ -16,6 +16,7 @@
 namespace raymarch::board
 {
 
+/// Makes the error `NAME: WHAT` of kind BadData.
 [[nodiscard]] Error bad_bitstream(const std::string& name, std::string_view what);
 
 /// Reads a big-endian number of `count` bytes. Precondition: they are there.
@@ -55,7 +56,8 @@ class ConfigurationWords
     BitstreamForm form_;
 };
 
-/// Finds the sync word, and reads from there to the command that ends the configuration.
+/// Finds the sync word, reads from there to the command that ends the configuration, and fills in
+/// the rest of `bitstream`.
 /// Errors: BadData.
 [[nodiscard]] Result<void> read_configuration(const ConfigurationWords& words,
                                               const std::string& name, Bitstream& bitstream);

@@ -12,6 +12,7 @@
 #include "engine/models.hpp"
 #include "motion/movers.hpp"
 #include "pictures/film_file.hpp"
+#include "protocol/commands.hpp"
 #include "protocol/registers.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +29,6 @@ namespace
 {
 
 constexpr unsigned most_frames = 100'000;
-constexpr unsigned most_steps = 1000; ///< the limit of WALK and TURN, here for each frame
 
 struct FilmOptions
 {
@@ -140,7 +140,7 @@ void add_film(CLI::App& app, Run& run)
     command
         ->add_option("--steps", options->steps,
                      "number of steps of the movement from one frame to the next (default: 1)")
-        ->check(CLI::Range(1U, most_steps))
+        ->check(CLI::Range(1U, protocol::most_steps))
         ->type_name("K");
     add_threads_option(*command, options->threads);
     command

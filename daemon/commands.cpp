@@ -159,7 +159,7 @@ Controller::Outcome Controller::run(const Command<"ACCELERATOR">& accelerator, c
         if (!board_.use(**wanted))
             return refuse(accelerator.column, "only an emulated block can be switched");
         recall(**wanted);
-        if (!restore(state_))
+        if (!restore(state_)) // the accelerator is switched all the same
             return Fault{.code = ErrorCode::Hardware};
     }
     reply_ << "OK accelerator=" << accelerator_->name;

@@ -36,9 +36,9 @@ Config default_config()
 {
     Config config;
     for (const Setting& setting : settings())
-        static_cast<void>(setting.set(config, setting.initial)); // a test proves that each is taken
+        static_cast<void>(setting.set(config, setting.initial)); // a test reads every default
     for (const Action& action : actions())
-        config.gpio.lines.push_back(drivers::parse_line_spec(action.line)); // and that each is one
+        config.gpio.lines.push_back(drivers::parse_line_spec(action.line));
     return config;
 }
 

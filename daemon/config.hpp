@@ -24,7 +24,7 @@ namespace raymarch::daemon
 
 /// Where the register block is.
 struct AutoRegisters
-{}; ///< the UIO device named raymarch where there is one, else emulated
+{}; ///< the UIO device named raymarch; without one, and on no Zynq, the emulated block
 struct UioNode
 {
     std::string path;
@@ -66,7 +66,7 @@ struct Gpio
     std::chrono::milliseconds debounce{};
     unsigned orbit_rate = 0; ///< steps a second while a button of orbit is held
     unsigned turn_rate = 0;  ///< the same of the switch `turn`
-    std::vector<std::optional<drivers::LineSpec>> lines; ///< of each action, in the table's order
+    std::vector<std::optional<drivers::LineSpec>> lines; ///< in the order of actions()
 };
 
 struct Config
@@ -97,11 +97,11 @@ struct Setting
 };
 [[nodiscard]] std::span<const Setting> settings() noexcept;
 
-/// As the settings `registers` and `serial` are written.
+/// Writes a value as the settings `registers` and `serial` take it.
 [[nodiscard]] std::string to_text(const RegistersWhere& where);
 [[nodiscard]] std::string to_text(const SerialWhere& where);
 
-/// All defaults.
+/// Makes a configuration with all defaults.
 [[nodiscard]] Config default_config();
 
 /// Applies one setting. Errors: Config, naming what is allowed.
@@ -116,13 +116,13 @@ inline constexpr std::string_view line_values = drivers::line_spec_syntax;
 /// Gives one action its line; `none` takes it away. Errors: Config, naming what is allowed.
 [[nodiscard]] Result<void> set_line(Config& config, std::string_view action, std::string_view text);
 
-/// What one setting cannot see of the others. Errors: Config.
+/// Checks settings that depend on one another. Errors: Config.
 [[nodiscard]] Result<void> validate(const Config& config);
 
 /// Applies a TOML file. Errors: Config, with file and line; an unknown key is one.
 [[nodiscard]] Result<void> read_config_file(Config& config, const std::string& path);
 
-/// The same of what the file holds; `path` is for messages.
+/// Does the same with the text of a file; `path` is for messages.
 [[nodiscard]] Result<void> read_config_text(Config& config, std::string_view text,
                                             const std::string& path);
 

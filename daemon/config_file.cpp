@@ -67,7 +67,7 @@ Result<void> refuse_value(std::string_view name, const toml::node& node)
     const bool known = std::ranges::find(settings(), name, &Setting::name) != settings().end();
     Config unused;
     if (!known && !node.is_table())
-        return set(unused, name, {}); // says that there is none
+        return set(unused, name, {}); // makes the error that there is no such setting
     if (!node.is_table())
         return fail(plain_error(
             ErrorKind::Config, fmt::format("{} takes a string, a whole number or a boolean, not {}",

@@ -14,7 +14,7 @@ namespace raymarch::daemon
 namespace
 {
 
-/// What follows `prefix`, if it is there and something follows it.
+/// Returns the text after `prefix`, or nothing if it is empty or `prefix` is missing.
 std::optional<std::string> behind(std::string_view text, std::string_view prefix)
 {
     if (!text.starts_with(prefix) || text.size() == prefix.size())

@@ -24,7 +24,8 @@ std::string_view from(std::string_view text, std::size_t at) noexcept
     return text.substr(std::min(at, text.size()));
 }
 
-/// What follows the string that `text` begins with; an open one ends with its line, or the text.
+/// Returns what follows the string at the beginning of `text`. A string without its closing quote
+/// ends with its line, or with the text.
 std::string_view behind_string(std::string_view text) noexcept
 {
     const char quote = text.front();
@@ -36,7 +37,8 @@ std::string_view behind_string(std::string_view text) noexcept
     return from(text, text.starts_with(delimiter) ? delimiter.size() : 0);
 }
 
-/// `header` begins with a bracket that is the first sign of its line.
+/// Whether a name follows the bracket. Precondition: `header` begins with the first bracket of its
+/// line.
 bool has_name(std::string_view header) noexcept
 {
     header = from(header, header.starts_with("[[") ? 2 : 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What toml++ (3.3) has to be kept from: over a few texts that are no TOML it does not report an
-/// error, but fails an assertion or leaves what C++ defines, and so may end the program.
+/// Finds texts that toml++ (3.3) must not get: for a few texts that are no TOML it fails an
+/// assertion or has undefined behaviour instead of reporting an error.
 #pragma once
 
 #include <optional>
@@ -16,9 +16,9 @@ struct TextFault
     std::string_view what;
 };
 
-/// The first of: a control character; outside of strings and comments a character beyond ASCII; a
-/// table's header without a name. TOML allows none of them. A mark of the byte order may come
-/// first.
+/// Finds the first of these faults: a control character; outside of strings and comments a
+/// character beyond ASCII; a table's header without a name. TOML allows none of them. A byte order
+/// mark may come first.
 [[nodiscard]] std::optional<TextFault> find_text_fault(std::string_view text) noexcept;
 
 } // namespace raymarch::daemon

@@ -3,6 +3,7 @@
 
 #include "protocol/assignments.hpp"
 #include "protocol/groups.hpp"
+#include "protocol/registers.hpp"
 #include "protocol/views.hpp"
 
 #include <variant>
@@ -12,7 +13,7 @@ namespace raymarch::daemon
 namespace
 {
 
-using namespace protocol; // NOLINT(google-build-using-namespace): this file speaks nothing else
+using namespace protocol; // NOLINT(google-build-using-namespace): most names here are its own
 
 /// Whether the board took the words; it may write them later.
 bool taken(Applied applied) noexcept

@@ -12,17 +12,18 @@
 #include "daemon/register_path.hpp"
 #include "daemon/unfinished.hpp"
 #include "protocol/line_reader.hpp"
-#include "protocol/registers.hpp"
 #include "protocol/reply.hpp"
 #include "protocol/status.hpp"
 #include "protocol/typed_request.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <random>
 #include <string_view>
+#include <utility>
 
 namespace raymarch::daemon
 {
@@ -103,8 +104,9 @@ class Controller
     /// Precondition: `rest` is not empty.
     [[nodiscard]] std::string_view resume(Unfinished& rest, const TurnIsOver& turn_is_over);
 
-    /// Makes `state` the present one without a line: at start, or from a button. Returns false when
-    /// the board did not take it. The state is kept all the same, for a board that comes later.
+    /// Makes `state` the present one without a line: at the start, when the board comes back, and
+    /// after a change of the accelerator. Returns false when the board did not take it. The state
+    /// is kept all the same, for a board that comes later.
     bool restore(const protocol::State& state);
     /// Tells that the board is there, or there again, with this accelerator. Writes the present
     /// words again. Where the accelerator is another one than before, writes its own last words.

@@ -31,7 +31,7 @@ std::optional<unsigned> number(std::string_view text)
     return value;
 }
 
-/// One of `names` to the enumerator of the same position.
+/// Sets `target` to the enumerator at the position of `text` in `names`.
 template <typename Enum, std::size_t N>
 Result<void> set_choice(Enum& target, std::string_view text,
                         const std::array<std::string_view, N>& names, std::string_view allowed)
@@ -80,7 +80,7 @@ Result<void> set_gpio_turn_rate(Config& config, std::string_view text)
     return set_rate(config.gpio.turn_rate, text);
 }
 
-/// A path into `target`; `none` empties it.
+/// Stores a path in `target`; `none` empties it.
 Result<void> set_path(std::string& target, std::string_view text)
 {
     if (text.empty())
@@ -128,14 +128,15 @@ Result<void> set_log_level(Config& config, std::string_view text)
 
 Result<void> set_accelerator(Config& config, std::string_view text)
 {
-    config.accelerator = protocol::find_accelerator(text);
-    if (config.accelerator == nullptr) {
+    const protocol::Accelerator* const found = protocol::find_accelerator(text);
+    if (found == nullptr) {
         std::vector<std::string_view> names;
         for (const protocol::Accelerator* accelerator : protocol::accelerators)
             names.push_back(accelerator->name);
         return fail(refused_value(text, fmt::format("an accelerator: {}{}", fmt::join(names, ", "),
                                                     did_you_mean(text, names))));
     }
+    config.accelerator = found;
     return {};
 }
 
@@ -190,7 +191,7 @@ constexpr std::string_view default_name = protocol::default_accelerator.name;
 // clang-format off
 constexpr std::array settings_table = {
     Setting{"accelerator",      "NAME",                       default_name,               "the accelerator of a block that does not tell its kind, and of the emulated one", set_accelerator},
-    Setting{"registers",        registers_values,             "auto",                     "the register block; auto is the UIO device named raymarch on a Zynq and where there is one, else emulated", set_registers},
+    Setting{"registers",        registers_values,             "auto",                     "the register block; auto is the UIO device named raymarch; on a machine that is no Zynq and has none, the block is emulated", set_registers},
     Setting{"serial",           serial_values,                "/dev/ttyPS0@115200",       "the serial host; pty makes a pseudo-terminal and a link to it", set_serial},
     Setting{"gpio",             "lines|none",                 "lines",                    "buttons, switches and LEDs; lines are those of the table gpio_lines", set_gpio},
     Setting{"gpio_debounce",    "MS",                         "10",                       "milliseconds that a button's level has to last before it counts", set_gpio_debounce},
@@ -199,7 +200,7 @@ constexpr std::array settings_table = {
     Setting{"state",            "FILE|none",                  "/var/lib/raymarchd/state", "where the state is kept over a restart", set_state},
     Setting{"control",          "SOCKET|none",                "/run/raymarchd/control",   "local socket that speaks the serial protocol", set_control},
     Setting{"preview",          "FILE.png|none",              "none",                     "the latest picture of the emulated accelerator, replaced whole", set_preview},
-    Setting{"sysfs_root",       "PATH",                       "/sys",                     "what stands in for /sys, so that a folder can play the kernel; UIO devices are in the dev beside it", set_sysfs_root},
+    Setting{"sysfs_root",       "PATH",                       "/sys",                     "the folder used as /sys, for tests without a kernel; UIO devices are in the folder dev beside it", set_sysfs_root},
     Setting{"log_level",        "error|warning|notice|info|debug", "notice",              "what is logged", set_log_level},
     Setting{"basis_check",      "off|warn|reject",            "warn",                     "what is done about a camera basis that no camera has", set_basis_check},
     Setting{"replies",          "all|errors|none",            "all",                      "which replies are sent", set_replies},

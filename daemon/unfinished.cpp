@@ -33,7 +33,7 @@ Controller::Outcome Controller::go_on(Unfinished& rest, const TurnIsOver& turn_i
     return std::nullopt;
 }
 
-/// The disk is done.
+/// Finishes a SAVE or a LOAD after the disk has answered.
 Controller::Outcome Controller::take_stored(Unfinished& rest)
 {
     auto stored = std::get<Unfinished::Stored>(std::exchange(rest.what_, std::monostate()));
@@ -72,16 +72,17 @@ Controller::Outcome Controller::move(const Steps& steps, const Call& call)
     return move_on(rest, call.turn_is_over);
 }
 
-/// What the movement remembers is for the next one.
+/// Gives the movement back to the controller, which keeps its memory for the next one.
 void Controller::end_movement(Unfinished& rest)
 {
     movement_ = std::move(std::get<Unfinished::Moving>(rest.what_).movement);
     rest.what_ = std::monostate();
 }
 
-/// While nobody else changes the state, it changes once, after the last step. Otherwise the steps
-/// that nobody has seen are made again, from where the others left the state, and every piece that
-/// follows is applied at once: what they do and what this line does both count, in some order.
+/// If nobody else changes the state, the board gets one update, after the last step. If somebody
+/// does, the steps that were not yet written are made again from the new state. From then on each
+/// turn writes its steps, so that both changes take effect. Only the last update is checked for its
+/// basis, counted and answered.
 Controller::Outcome Controller::move_on(Unfinished& rest, const TurnIsOver& turn_is_over)
 {
     auto& moving = std::get<Unfinished::Moving>(rest.what_);

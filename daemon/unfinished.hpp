@@ -6,7 +6,6 @@
 
 #include "daemon/movement.hpp"
 #include "protocol/parameters.hpp"
-#include "protocol/registers.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -62,10 +61,10 @@ class Unfinished
     struct Moving
     {
         const protocol::Accelerator* accelerator;
-        Steps asked;            ///< still to be made, counted from the state at `change`
-        Steps left;             ///< of `asked`, not made yet
-        std::uint64_t change;   ///< the controller's count of changes when `state` was taken
-        bool disturbed = false; ///< others have changed the state since the line came
+        Steps asked;            ///< the steps to make from the last state that others can see
+        Steps left;             ///< how many of `asked` are still to be made
+        std::uint64_t change;   ///< the value of Controller::changes_ when `state` was taken
+        bool disturbed = false; ///< whether others changed the state after the line came
         protocol::State state;  ///< the state after the steps that were made
         protocol::Words before; ///< the words when the line came
         Movement movement;

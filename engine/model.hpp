@@ -19,26 +19,27 @@ namespace raymarch::engine
 
 using WordSpan = std::span<const std::uint32_t>;
 
-/// Which pixels of a row: from `first` on each `step`-th before `end`.
+/// Selects pixels of a row: first, first + step, … below end.
 struct Columns
 {
     std::uint16_t first = 0;
-    std::uint16_t end = std::numeric_limits<std::uint16_t>::max(); ///< beyond the row: its end
+    std::uint16_t end =
+        std::numeric_limits<std::uint16_t>::max(); ///< a value beyond the row means its end
     std::uint16_t step = 1;
 };
 
-/// Which row of which picture.
+/// Names a row of a picture.
 struct RowOf
 {
     PictureSize size;
     std::uint16_t y = 0;     ///< from the top
-    std::uint32_t frame = 0; ///< frames finished since reset: what checkerboards alternate by
-    Columns columns{};       ///< the others keep their bytes and costs
+    std::uint32_t frame = 0; ///< frames finished since reset; checkerboards alternate by it
+    Columns columns{};       ///< other pixels keep their bytes and costs
 
     [[nodiscard]] unsigned end() const noexcept { return std::min(columns.end, size.width); }
 };
 
-/// Which pixels of which picture: (x + i * step, y + j * step) inside a rectangle.
+/// Selects pixels of a rectangle of a picture: (x + i * step, y + j * step).
 struct Region
 {
     PictureSize size;    ///< the whole picture's
@@ -64,16 +65,17 @@ struct PixelCost
     bool operator==(const PixelCost&) const = default;
 };
 
-/// Pixels go here. It holds the whole picture, whatever part of it is drawn.
+/// The buffers that a drawing is written to. They hold the whole picture, even if only a part is
+/// drawn.
 struct Canvas
 {
     std::span<std::uint8_t> rgb;  ///< 3 bytes a pixel, rows from the top
-    std::span<PixelCost> costs{}; ///< one a pixel; empty: not wanted
+    std::span<PixelCost> costs{}; ///< one for each pixel; empty if costs are not wanted
 };
 
 /// A picture whose words are latched: they are decoded once, however many rows and frames are
-/// drawn. Pure: the same arguments give the same bytes, on every machine and from any number of
-/// threads.
+/// drawn. It is pure: the same arguments give the same bytes, on every machine and from any number
+/// of threads.
 class Picture
 {
   public:
@@ -93,13 +95,13 @@ class Picture
     /// all rows of a picture are drawn.
     virtual void complete(const Canvas& canvas) const noexcept = 0;
 
-    /// The clock cycles that `units` ray units of the source's hardware take for the frame that
-    /// cost `costs`, rows from the top.
+    /// Returns how many clock cycles the source's hardware takes for a frame with these costs, rows
+    /// from the top, if it has `units` ray units.
     [[nodiscard]] virtual std::uint64_t cycles(RowOf last_row, std::span<const PixelCost> costs,
                                                unsigned units) const noexcept = 0;
 
-    /// The rays of the frame that cost `costs`, those of pixels that the hardware draws beyond the
-    /// picture among them.
+    /// Returns the number of rays of a frame with these costs, including those for pixels that the
+    /// hardware draws outside the picture.
     [[nodiscard]] virtual std::uint64_t rays(PictureSize size,
                                              std::span<const PixelCost> costs) const noexcept = 0;
 
@@ -124,8 +126,8 @@ template <class Frame>
     return static_cast<const PictureOf<Frame>&>(picture).frame;
 }
 
-/// A second way to the same bytes and costs, in the vectors of one instruction set. Where costs are
-/// not wanted it may leave out what serves them alone.
+/// Draws the same bytes and costs with the vectors of one instruction set. If costs are not wanted,
+/// it may skip the work that only they need.
 struct Kernel
 {
     Isa isa;
@@ -139,9 +141,10 @@ struct Model
     const protocol::Accelerator* description;
     std::string_view steps; ///< names in the plural what PixelCost counts
     std::unique_ptr<const Picture> (*latch)(WordSpan words);
-    /// The kernels of all instruction sets. The `draw` of those that were not compiled is nullptr.
+    /// The kernels of all instruction sets, or none at all. `draw` is nullptr in a kernel that was
+    /// not compiled.
     std::span<const Kernel> (*kernels)() noexcept;
-    bool ordered = false; ///< pixels may depend on those drawn before: pictures are drawn whole
+    bool ordered = false; ///< a pixel may depend on earlier ones: pictures are drawn whole
 };
 
 } // namespace raymarch::engine

@@ -21,9 +21,9 @@
 namespace raymarch::engine
 {
 
-/// A picture made of the functions that an accelerator's namespace has on its Frame, which are
-/// declared above. Every accelerator has draw_row and frame_cycles; one that needs them has finish,
-/// frame_rays and frames_of_a_still.
+/// A picture that calls the functions of its accelerator's namespace; the headers above declare
+/// them. Each accelerator has draw_row and frame_cycles. It may also have finish, frame_rays and
+/// frames_of_a_still.
 template <class Frame>
 class LatchedPicture final : public PictureOf<Frame>
 {
@@ -63,7 +63,7 @@ class LatchedPicture final : public PictureOf<Frame>
     }
 };
 
-/// Model::latch by the function that decodes an accelerator's words.
+/// Implements Model::latch with the function that decodes an accelerator's words.
 template <auto decode>
 std::unique_ptr<const Picture> latch_by(WordSpan words)
 {

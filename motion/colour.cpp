@@ -10,8 +10,7 @@
 namespace raymarch::motion
 {
 
-using namespace protocol; // NOLINT(google-build-using-namespace): this file speaks of parameters
-                          // alone
+using namespace protocol; // NOLINT(google-build-using-namespace): most names
 
 void set_hue(const Accelerator& accelerator, double hue, State& state) noexcept
 {

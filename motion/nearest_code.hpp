@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Rounds computed values to codes. Angles and hues have no exact codes, so they are computed in
-/// double.
+/// Rounds computed values to codes. Angles and hues have no exact codes, so they are computed as
+/// double and rounded at the end.
 #pragma once
 
 #include "protocol/parameters.hpp"
@@ -17,7 +17,8 @@ namespace raymarch::motion
 
 using Triple = std::array<double, 3>;
 
-/// Rounds to the nearest code, ties to even, and clamps it to the format.
+/// Rounds to the nearest code, ties to even, and clamps it to the format. Precondition: the
+/// parameter has no tail.
 [[nodiscard]] inline std::int64_t nearest_code(const protocol::Parameter& parameter,
                                                double value) noexcept
 {

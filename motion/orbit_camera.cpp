@@ -9,8 +9,7 @@
 namespace raymarch::motion
 {
 
-using namespace protocol; // NOLINT(google-build-using-namespace): this file speaks of parameters
-                          // alone
+using namespace protocol; // NOLINT(google-build-using-namespace): most names
 
 void set_orbit(const Accelerator& accelerator, double yaw_degrees, double pitch_degrees,
                State& state) noexcept

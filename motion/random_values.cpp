@@ -14,8 +14,7 @@
 namespace raymarch::motion
 {
 
-using namespace protocol; // NOLINT(google-build-using-namespace): this file speaks of parameters
-                          // alone
+using namespace protocol; // NOLINT(google-build-using-namespace): most names
 
 void randomise(const Accelerator& accelerator, std::string_view group, std::mt19937_64& random,
                State& state) noexcept

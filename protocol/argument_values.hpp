@@ -3,8 +3,8 @@
 /// Reads the arguments of commands: one function for each kind of argument in
 /// protocol/commands.hpp.
 ///
-/// A fault is at the column where the argument begins, and is an Argument, but for assignments,
-/// which have faults of their own.
+/// A fault has the column where the argument begins and the code Argument. Assignments have codes
+/// of their own.
 #pragma once
 
 #include "protocol/commands.hpp"

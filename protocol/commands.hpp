@@ -3,8 +3,8 @@
 /// TABLE: every command that a host may say. Its row is all that parser, HELP, completion and
 /// documents know of it.
 ///
-/// A row makes a type of its own, `Command<"NAME">` (protocol/typed_command.hpp), which the
-/// controller has one overload for.
+/// Each row has its own type, `Command<"NAME">` (protocol/typed_command.hpp). The controller has
+/// one overload of run() for each type.
 #pragma once
 
 #include "protocol/text.hpp"
@@ -31,8 +31,8 @@ enum class ArgumentKind : std::uint8_t {
     Count,       ///< a whole number within bounds
     Choice,      ///< one of the row's names
     Group,       ///< a group of parameters
-    Preset,      ///< a preset of the accelerator
-    Accelerator, ///< the name of an accelerator
+    Preset,      ///< a preset of the accelerator, to the end of the line
+    Accelerator, ///< the name of an accelerator, to the end of the line
     Topic,       ///< any text to the end of the line
 };
 
@@ -47,9 +47,10 @@ struct ArgumentRow
     std::string_view max{};
     std::string_view unit{};
     std::span<const std::string_view> names{}; ///< of a Choice
-    std::string_view wrong{};                  ///< the reply to a value that there is not
-    std::string_view only_after{}; ///< the choice that this argument may follow; empty for any
-    std::string_view misplaced{};  ///< the reply behind another choice
+    std::string_view wrong{};                  ///< the reply to a value that is not allowed
+    std::string_view
+        only_after{}; ///< the only choice that it may follow; empty if it may follow any
+    std::string_view misplaced{}; ///< the reply if it follows another choice
 };
 
 /// What an accelerator must have for a command.
@@ -68,7 +69,7 @@ struct CommandRow
     char separator = ' ';      ///< between arguments: a blank or a comma
     std::string_view excess{}; ///< the reply to more arguments than there are
     Needs needs = Needs::Nothing;
-    Effect alone = effect; ///< the effect of the command without an argument
+    Effect effect_without_arguments = effect;
 
     [[nodiscard]] constexpr std::size_t argument_count() const noexcept
     {
@@ -147,7 +148,8 @@ consteval unsigned whole_number(std::string_view digits)
 }
 } // namespace detail
 
-/// The most steps of one WALK or TURN, and the most and the usual steps a second of ANIMATE.
+/// WALK and TURN take at most most_steps steps. ANIMATE makes at most most_rate steps a second, and
+/// usual_rate where no RATE is given.
 inline constexpr unsigned most_steps = detail::whole_number(arguments::steps.max);
 inline constexpr unsigned most_rate = detail::whole_number(arguments::rate.max);
 inline constexpr unsigned usual_rate = 20;

@@ -33,17 +33,18 @@ ArgumentTexts split_arguments(const CommandRow& row, Text words) noexcept
             texts.excess = words.trimmed();
         return texts;
     }
-    if (takes_the_rest(row.arguments[0].kind)) {
-        texts.each[0] = words;
-        return texts;
+    for (std::size_t i = 0; i < count; ++i) {
+        // A number takes the rest of the line too, so that what does not belong to it is its fault.
+        const ArgumentKind kind = row.arguments[i].kind;
+        const bool takes_rest = takes_the_rest(kind) || (i > 0 && i + 1 == count);
+        const std::size_t end =
+            takes_rest ? words.bytes.size()
+                       : std::min(words.bytes.find_first_of(" \t"), words.bytes.size());
+        texts.each[i] = words.first(end);
+        words = words.from(end).trimmed();
     }
-    const std::size_t end = std::min(words.bytes.find_first_of(" \t"), words.bytes.size());
-    texts.each[0] = words.first(end);
-    const Text rest = words.from(end).trimmed();
-    if (count > 1)
-        texts.each[1] = rest;
-    else if (!rest.empty())
-        texts.excess = rest;
+    if (!words.empty())
+        texts.excess = words;
     return texts;
 }
 

@@ -49,8 +49,10 @@ template <ArgumentKind kind>
         return read_preset(row, text, context);
     else if constexpr (kind == ArgumentKind::Accelerator)
         return read_accelerator(row, text, context);
-    else
+    else {
+        static_assert(kind == Topic);
         return Reading<std::string_view>(text.bytes);
+    }
 }
 
 namespace detail
@@ -117,12 +119,12 @@ struct ArgumentTexts
 };
 [[nodiscard]] ArgumentTexts split_arguments(const CommandRow& row, Text words) noexcept;
 
-/// Finds what is wrong with a command before its arguments are read: an argument is missing, or
-/// there is none to give, or the accelerator cannot do it.
+/// Finds what is wrong with a command before its arguments are read: an argument is missing, the
+/// command takes none, or the accelerator lacks what the command needs.
 [[nodiscard]] std::optional<Fault> check_command(const CommandRow& row, Text words,
                                                  const Accelerator& accelerator) noexcept;
 
-/// Finds what is wrong between arguments that are right by themselves.
+/// Finds text after the last argument, or an argument that may not follow the one before it.
 [[nodiscard]] std::optional<Fault> check_arguments(const CommandRow& row,
                                                    const ArgumentTexts& texts) noexcept;
 
@@ -149,7 +151,8 @@ read_command(Text words, const ReadingContext& context) noexcept
             fault = value.error();
         return value.has_value();
     };
-    // A number behind a word is read before the word; numbers between commas are read in order.
+    // Blank-separated arguments are read from the last to the first: a fault in the number is
+    // reported before one in the word.
     constexpr std::size_t count = row.argument_count();
     [&]<std::size_t... i>(std::index_sequence<i...>)
     {

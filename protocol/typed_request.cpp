@@ -22,7 +22,7 @@ void parse_frame(Text text, const ReadingContext& context, TypedRequest& parsed)
 void parse_command(const CommandRow& row, Text words, const ReadingContext& context,
                    TypedRequest& parsed) noexcept
 {
-    parsed.effect = words.empty() ? row.alone : row.effect;
+    parsed.effect = words.empty() ? row.effect_without_arguments : row.effect;
     const auto take = [&](const auto& command) {
         if (command)
             parsed.what.emplace<AnyCommand<commands>>(*command);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Reads a whole line: the one place where a line becomes what the host asks for.
+/// Reads a whole line for the service: text becomes a frame or a command with its values.
 #pragma once
 
 #include "protocol/commands.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The lanes of a mask moved to the front of any number of vectors. Highway's Compress would find
-/// the order of the lanes again for each vector, in a table that gcc 12 copies to the stack each
-/// time. Compiled once for each instruction set.
+/// Moves the lanes that a mask selects to the front of any number of vectors. Highway's Compress
+/// would find the order of the lanes again for each vector, in a table that gcc 12 copies to the
+/// stack each time. This file is compiled once for each instruction set.
 #if defined(RAYMARCH_ENGINE_FAST_COMPRESS) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYMARCH_ENGINE_FAST_COMPRESS
 #undef RAYMARCH_ENGINE_FAST_COMPRESS
@@ -73,7 +73,7 @@ class Compress<I32>
     std::size_t count_;
 };
 
-#if HWY_TARGET != HWY_SCALAR // which has no blocks
+#if HWY_TARGET != HWY_SCALAR // it has no blocks of 16 bytes
 
 /// Bytes are moved inside of blocks of 16: each block is stored where the one before it ended.
 template <>

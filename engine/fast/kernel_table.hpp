@@ -11,8 +11,8 @@
 #include <array>
 #include <span>
 
-/// The kernels of `draw`, which is defined in namespace HWY_NAMESPACE: an initialiser of
-/// std::array. Those that were not compiled are nullptr.
+/// Lists the kernels of `draw`, which is defined in namespace HWY_NAMESPACE, as initialisers of a
+/// std::array. The function is nullptr for an instruction set that was not compiled.
 #define RAYMARCH_KERNELS(draw)                                                                     \
     ::raymarch::engine::Kernel{::raymarch::engine::Isa::Sse4, HWY_CHOOSE_SSE4(draw)},              \
         ::raymarch::engine::Kernel{::raymarch::engine::Isa::Neon, HWY_CHOOSE_NEON(draw)},          \

@@ -25,7 +25,7 @@ namespace marcher::fast
 }
 namespace sphere::fast
 {
-/// There are none where the vectors have no numbers of 53 bits.
+/// The span is empty on 32-bit ARM, whose vectors have no double.
 [[nodiscard]] std::span<const Kernel> kernels() noexcept;
 } // namespace sphere::fast
 namespace whitted::fast

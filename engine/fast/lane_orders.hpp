@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// TABLE: for each set of eight lanes, all eight: those in it first, then the others.
+/// TABLE: row `set` lists the lanes 0 to 7: first those whose bits are set in `set`, then the
+/// others, each in ascending order.
 #pragma once
 
 #include <array>
@@ -10,7 +11,7 @@
 namespace raymarch::engine::fast
 {
 
-/// The first four of a row are the order of four lanes, where only those are in the set.
+/// If only lanes 0 to 3 are in the set, the first four entries are the order of four lanes.
 inline constexpr auto lane_orders = [] {
     std::array<std::array<std::uint8_t, 8>, 256> rows{};
     for (std::size_t set = 0; set < rows.size(); ++set) {

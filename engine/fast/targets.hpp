@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The instruction sets that Highway compiles a kernel for: those that have a row in
-/// engine/isa.hpp, and its plain C++, without which it does not compile. Newer versions of Highway
-/// know more sets, which would only take time. To be included before any header of Highway.
+/// Limits the instruction sets that Highway compiles to those in engine/isa.hpp, and to plain C++,
+/// which Highway requires. Newer versions of Highway know more sets, which would only take time.
+/// Include this before any header of Highway.
 #pragma once
 
 #if defined(__x86_64__) || defined(__i386__)

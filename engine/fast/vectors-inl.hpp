@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The words that all kernels share, which are Highway's: tags, vectors, masks. A file whose name
+/// The names that all kernels share, which are Highway's: tags, vectors, masks. A file whose name
 /// ends in -inl.hpp is compiled once for each instruction set; its guard is a toggle, as those of
 /// Highway's own headers are.
 #if defined(RAYMARCH_ENGINE_FAST_VECTORS) == defined(HWY_TARGET_TOGGLE)
@@ -40,7 +40,7 @@ using F64 = hn::ScalableTag<double>;
 template <class D>
 inline constexpr std::size_t lanes = hn::MaxLanes(D());
 
-/// The number in every lane, converted to the lanes' type as static_cast does it.
+/// Sets every lane to the number, converted to the lanes' type as static_cast does it.
 template <class D, typename Number>
 HWY_INLINE Vec<D> Set(Number number)
 {
