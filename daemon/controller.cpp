@@ -69,7 +69,7 @@ std::string_view Controller::settle(const Outcome& fault, bool writes, bool chec
 
 bool Controller::restore(const State& state)
 {
-    return write_state(state, Source::Storage);
+    return write_state(state, words_, Source::Storage).has_value();
 }
 
 void Controller::board_is_back(const Accelerator& accelerator)
@@ -97,26 +97,27 @@ Controller::Outcome Controller::apply(const State& state, const Words& before)
         policy_.basis_check == BasisCheck::Off || basis_is_orthonormal(*accelerator_, state);
     if (!orthonormal && policy_.basis_check == BasisCheck::Reject)
         return Fault{.code = ErrorCode::Basis};
-    const Words former = before; // it may be words_
-    if (!write_state(state))
+    const auto changed = write_state(state, before);
+    if (!changed)
         return Fault{.code = ErrorCode::Hardware};
-    std::uint64_t changed = 0;
-    for (std::size_t i = 0; i < accelerator_->word_count; ++i)
-        changed += words_[i] != former[i] ? 1 : 0;
     ++applied_;
-    reply_ << "OK seq=" << applied_ << " changed=" << changed;
+    reply_ << "OK seq=" << applied_ << " changed=" << *changed;
     if (!orthonormal)
         reply_ << " warn=" << error_row(ErrorCode::Basis).name;
     reply_.end_line();
     return std::nullopt;
 }
 
-bool Controller::write_state(const State& state, Source source)
+std::optional<std::uint64_t> Controller::write_state(const State& state, const Words& before,
+                                                     Source source)
 {
     const Words words = pack(*accelerator_, state);
     const bool done = taken(board_.apply(words));
     if (!done && source == Source::Change)
-        return false;
+        return std::nullopt;
+    std::uint64_t changed = 0;
+    for (std::size_t i = 0; i < accelerator_->word_count; ++i)
+        changed += words[i] != before[i] ? 1 : 0;
     if (!(state == state_)) {
         if (source == Source::Change)
             storage_.changed(*accelerator_, state);
@@ -124,7 +125,7 @@ bool Controller::write_state(const State& state, Source source)
         state_ = state;
     }
     words_ = words;
-    return done;
+    return done ? std::optional(changed) : std::nullopt;
 }
 
 void Controller::recall(const Accelerator& accelerator)
@@ -143,21 +144,21 @@ void Controller::animate()
     State state = state_;
     movement_.animate(*accelerator_, state);
     if (!(state == state_))
-        static_cast<void>(write_state(state)); // the next step begins where the last one ended
+        write_state(state, words_); // the next step begins where the last one ended
 }
 
 void Controller::to_defaults()
 {
     State state = state_;
     reset(*accelerator_, {}, state);
-    if (write_state(state))
+    if (write_state(state, words_))
         preset_.reset();
 }
 
 void Controller::to_next_scene()
 {
     std::optional<std::size_t> preset = preset_;
-    if (write_state(next_scene(*accelerator_, state_, preset)))
+    if (write_state(next_scene(*accelerator_, state_, preset), words_))
         preset_ = preset;
 }
 
@@ -166,7 +167,7 @@ void Controller::orbit(Side side)
     State state = state_;
     movement_.orbit(*accelerator_, state, side);
     if (!(state == state_))
-        static_cast<void>(write_state(state));
+        write_state(state, words_);
 }
 
 Controller::Outcome Controller::ok()

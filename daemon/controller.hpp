@@ -151,10 +151,12 @@ class Controller
     enum class Source : std::uint8_t { Change, Storage };
 
     [[nodiscard]] Outcome dispatch(const protocol::TypedRequest& request, const Call& call);
-    /// Writes a state to the board and makes it the present one. Returns false when the board does
-    /// not take it. Then a change has not happened; a state from the storage becomes the present
-    /// one all the same.
-    [[nodiscard]] bool write_state(const protocol::State& state, Source source = Source::Change);
+    /// Writes a state to the board and makes it the present one. Returns how many words differ from
+    /// `before`, or nothing when the board does not take them. Then a change has not happened; a
+    /// state from the storage becomes the present one all the same.
+    std::optional<std::uint64_t> write_state(const protocol::State& state,
+                                             const protocol::Words& before,
+                                             Source source = Source::Change);
     /// Writes the state that a line asks for. `changed=` in the reply counts the words that differ
     /// from `before`.
     [[nodiscard]] Outcome apply(const protocol::State& state, const protocol::Words& before);

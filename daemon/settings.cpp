@@ -131,6 +131,7 @@ Result<void> set_accelerator(Config& config, std::string_view text)
     const protocol::Accelerator* const found = protocol::find_accelerator(text);
     if (found == nullptr) {
         std::vector<std::string_view> names;
+        names.reserve(protocol::accelerators.size());
         for (const protocol::Accelerator* accelerator : protocol::accelerators)
             names.push_back(accelerator->name);
         return fail(refused_value(text, fmt::format("an accelerator: {}{}", fmt::join(names, ", "),

@@ -96,7 +96,7 @@ Controller::Outcome Controller::move_on(Unfinished& rest, const TurnIsOver& turn
         moving.disturbed = true;
     }
     moving.movement.move(*accelerator_, moving.state, moving.left, turn_is_over);
-    if (moving.left.count > 0 && moving.disturbed && !write_state(moving.state)) {
+    if (moving.left.count > 0 && moving.disturbed && !write_state(moving.state, words_)) {
         end_movement(rest);
         return Fault{.code = ErrorCode::Hardware};
     }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 #include <string_view>
 
@@ -93,7 +94,9 @@ inline constexpr std::array register_fields = {
     const auto* const row = std::ranges::find_if(register_fields, [&](const RegisterField& field) {
         return field.at == at && field.name == name;
     });
-    return row != register_fields.end() ? *row : throw "no such field";
+    if (row == register_fields.end())
+        std::abort(); // is no constant expression
+    return *row;
 }
 /// The mask of a field, where it stands in its register.
 [[nodiscard]] consteval std::uint32_t field_mask(Register at, std::string_view name)

@@ -9,25 +9,25 @@ namespace raymarch::protocol
 namespace
 {
 
-void parse_frame(Text text, const ReadingContext& context, TypedRequest& parsed) noexcept
+void parse_frame(Text text, const ReadingContext& context, TypedRequest& parsed)
 {
     parsed.effect = Effect::Writes;
     context.result = context.present;
     if (const auto fault = read_frame(context.accelerator, text, context.result))
-        parsed.what = *fault;
+        parsed.what.emplace<Fault>(*fault);
     else
-        parsed.what = Frame{&context.result};
+        parsed.what.emplace<Frame>(Frame{&context.result});
 }
 
 void parse_command(const CommandRow& row, Text words, const ReadingContext& context,
-                   TypedRequest& parsed) noexcept
+                   TypedRequest& parsed)
 {
     parsed.effect = words.empty() ? row.effect_without_arguments : row.effect;
     const auto take = [&](const auto& command) {
         if (command)
             parsed.what.emplace<AnyCommand<commands>>(*command);
         else
-            parsed.what = command.error();
+            parsed.what.emplace<Fault>(command.error());
     };
     read_any_command<commands>(static_cast<std::size_t>(&row - commands.data()), words, context,
                                take);
@@ -35,7 +35,7 @@ void parse_command(const CommandRow& row, Text words, const ReadingContext& cont
 
 } // namespace
 
-TypedRequest parse(const Line& line, const ReadingContext& context, bool require_checksum) noexcept
+TypedRequest parse(const Line& line, const ReadingContext& context, bool require_checksum)
 {
     const Request request = read_request(line, require_checksum);
     TypedRequest parsed{.checksummed = request.checksummed, .what = Silence::Blank};
@@ -43,10 +43,10 @@ TypedRequest parse(const Line& line, const ReadingContext& context, bool require
     case Request::Kind::Blank:
         break;
     case Request::Kind::Reply:
-        parsed.what = Silence::Reply;
+        parsed.what.emplace<Silence>(Silence::Reply);
         break;
     case Request::Kind::Faulty:
-        parsed.what = request.fault;
+        parsed.what.emplace<Fault>(request.fault);
         break;
     case Request::Kind::Frame:
         parse_frame(request.text, context, parsed);

@@ -39,6 +39,6 @@ struct TypedRequest
 /// Reads a line for the accelerator of `context`. The result may point into `line` and to
 /// `context.result`.
 [[nodiscard]] TypedRequest parse(const Line& line, const ReadingContext& context,
-                                 bool require_checksum) noexcept;
+                                 bool require_checksum);
 
 } // namespace raymarch::protocol

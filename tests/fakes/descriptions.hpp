@@ -12,7 +12,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <ostream>
+#include <set>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace raymarch::protocol
 {
@@ -31,6 +34,15 @@ namespace raymarch::test
 class EveryAccelerator : public testing::TestWithParam<const protocol::Accelerator*>
 {
   protected:
+    /// The groups of parameters that RESET and RANDOM take.
+    [[nodiscard]] std::set<std::string_view> groups() const
+    {
+        std::set<std::string_view> names;
+        for (const protocol::Parameter& parameter : table)
+            names.insert(parameter.group);
+        return names;
+    }
+
     const protocol::Accelerator& accelerator = *GetParam();
     std::span<const protocol::Parameter> table = accelerator.parameters;
 };
