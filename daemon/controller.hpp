@@ -140,7 +140,7 @@ class Controller
     using Outcome = std::optional<protocol::Fault>;
     template <protocol::CommandName name>
     using Command = protocol::Command<name>;
-    /// What a command may need besides its arguments.
+    /// Holds what a command may need besides its arguments.
     struct Call
     {
         SessionSettings& session;

@@ -34,7 +34,7 @@ class Reopener
     void missing(const Error& problem);
     /// The attempt succeeded.
     void found();
-    /// What was open has gone away: tries again later.
+    /// Tells that it has gone away: opens it again later.
     void lost();
 
     // The following functions are for several things of which some may be missing.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What the files of the settings share and nobody else needs: how a value is refused, and the
+/// Declares what only the files of the settings share: the error for a refused value, and the
 /// settings whose values say where something is.
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace raymarch::daemon
 {
 
-/// `'TEXT' is not ALLOWED`.
+/// Makes the error `'TEXT' is not ALLOWED`.
 [[nodiscard]] Error refused_value(std::string_view text, std::string_view allowed);
 
 inline constexpr std::string_view registers_values =

@@ -42,7 +42,7 @@ struct RowOf
 /// Selects pixels of a rectangle of a picture: (x + i * step, y + j * step).
 struct Region
 {
-    PictureSize size;    ///< the whole picture's
+    PictureSize size;    ///< the size of the whole picture
     std::uint16_t x = 0; ///< the rectangle, inside the picture
     std::uint16_t y = 0;
     std::uint16_t width;

@@ -34,7 +34,7 @@ ArgumentTexts split_arguments(const CommandRow& row, Text words) noexcept
         return texts;
     }
     for (std::size_t i = 0; i < count; ++i) {
-        // A number takes the rest of the line too, so that what does not belong to it is its fault.
+        // The last of several arguments takes the rest of the line: what is too much is its fault.
         const ArgumentKind kind = row.arguments[i].kind;
         const bool takes_rest = takes_the_rest(kind) || (i > 0 && i + 1 == count);
         const std::size_t end =
